@@ -32,7 +32,7 @@ fn wheel_on_rail() -> Result<Contact<f64>, Error> {
 fn force(contact: &Contact<f64>, longitudinal: f64, model: Model) -> Result<[f64; 2], Error> {
     let creepage = Creepage { longitudinal, lateral: 0.0, spin: 0.1 };
     let options = Options { model, ..Options::default() };
-    let (forces, slopes) = derivatives::solve(contact, &creepage, &options)?;
+    let (forces, slopes) = derivatives::forces_and_derivatives(contact, &creepage, &options)?;
     Ok([forces.fx, slopes.jacobian[0][0]])
 }
 

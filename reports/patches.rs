@@ -241,7 +241,7 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
                 let view = patch.view().unwrap();
                 let bound = case.friction * case.load;
                 let of = |creepage| {
-                    let found = solver::solve(&view, &creepage, Model::Strip).unwrap();
+                    let found = solver::solve_patch(&view, &creepage, Model::Strip).unwrap();
                     [found.fx / bound, found.fy / bound]
                 };
                 case.motions.iter().map(|motion| of(case.creepage(motion))).collect()
@@ -298,7 +298,7 @@ fn merging_table(report: &mut Report) {
                     .unwrap();
             let view = patch.view().unwrap();
             let forces = [Model::Strip, Model::Total].map(|model| {
-                let found = solver::solve(&view, &creepage, model).unwrap();
+                let found = solver::solve_patch(&view, &creepage, model).unwrap();
                 [found.fx, found.fy].map(|force| force / (0.35 * load))
             });
             if let Some((before, approach)) = last {
@@ -473,7 +473,8 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
                 |y: &f64| 90e-6 * (((y - shift) / 6e-3).powi(2) - 1.0).powi(2) + y * y / 0.6;
             let distance: Vec<f64> = y.iter().map(shape).collect();
             let (patch, _) = at(&y, &distance, Given::Load(80e3));
-            let found = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
+            let found =
+                solver::solve_patch(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
             (shift * 1e3, found.fx / (0.35 * 80e3))
         })
         .collect();
@@ -594,7 +595,7 @@ fn output() -> String {
     let (patch, found) =
         Full::from_profile(&Profile::new(&y, &distance).unwrap(), &pressed(80e3), COUNT).unwrap();
     let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
-    let forces = solver::solve(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
+    let forces = solver::solve_patch(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
     format!(
         "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, \
          {:.0} % sticks",
@@ -639,7 +640,7 @@ fn print_costs() {
                     for i in &some {
                         for motion in &cases[*i].motions {
                             let creepage = cases[*i].creepage(motion);
-                            sum += solver::solve(&views[*i], &creepage, model).unwrap().fx;
+                            sum += solver::solve_patch(&views[*i], &creepage, model).unwrap().fx;
                         }
                     }
                 });

@@ -3,21 +3,18 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::contact::totals::Totals;
 use crate::forces::{Model, Options};
-use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Real};
+use crate::number::{Arithmetic, Float, Real};
 use crate::rig::creepage::Aim;
 use crate::rig::friction::Rig;
 use crate::rig::{FrictionEstimate, Measured};
 use crate::status::Error;
 use crate::strip::long::LongContact;
-use crate::strip::{EllipseStrips, Spin, StripCreepage, StripForces, any, totals};
+use crate::strip::{Spin, StripCreepage, StripForces, totals};
 
-/// Whether this processor has registers of 256 bits.
-pub fn has_avx() -> bool {
-    crate::number::avx::has_avx()
-}
+pub use crate::number::avx::has_avx;
+pub use crate::strip::any::{eight_one_by_one, eight_strips};
+pub use crate::strip::totals::power_projected;
 
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the
 /// contact is so small that nothing is implausible about them; and what the complete check finds.
@@ -78,37 +75,4 @@ pub fn strip_forces<T: Arithmetic<Value: Real>>(
     inner: bool,
 ) -> StripForces<T> {
     totals::alone(seen, &Spin::new(spin), inner)
-}
-
-/// Forces of any eight strips, side by side.
-pub fn eight_strips<T: Number>(
-    seen: &[(StripCreepage<T>, T); 8],
-    inner: [T::Base; 8],
-) -> [StripForces<T>; 8] {
-    any::eight_strips(seen, inner)
-}
-
-/// The same, one after the other.
-pub fn eight_one_by_one<T: Number>(
-    seen: &[(StripCreepage<T>, T); 8],
-    inner: [T::Base; 8],
-) -> [StripForces<T>; 8] {
-    any::eight_one_by_one(seen, inner)
-}
-
-/// Totals with the strips of an ellipse one after the other.
-pub fn totals_one_by_one<F: Real, T: Number<Base = F>>(
-    strips: &EllipseStrips<F>,
-    creepage: [T; 3],
-) -> Totals<T> {
-    strips.totals_one_by_one(creepage)
-}
-
-/// Forces moved so that friction takes power out.
-pub fn power_projected<T: Number>(
-    forces: Totals<T>,
-    creepage: [T; 3],
-    linear: &LinearCoefficients<T::Base>,
-) -> Totals<T> {
-    totals::power_projected(forces, creepage, linear)
 }

@@ -311,7 +311,8 @@ fn stop_and_hold(contact: &Contact<f64>) -> Result<Vec<[f64; 3]>, Error> {
             rolling_speed: vehicle,
             floor_speed: 0.0,
         };
-        let (force, _, by) = motion::differentiate(contact, &motion, None, &Options::default())?;
+        let (force, _, by) =
+            motion::differentiate_motion(contact, &motion, None, &Options::default())?;
         found.push([f64::from(n) * step, vehicle, force.fx / 1e3]);
         let (by_vehicle, by_wheel) = (by.slip[0][0] + by.rolling_speed[0], -by.slip[0][0]);
         let (p, q) = (mass + step * by_vehicle, step * by_wheel);

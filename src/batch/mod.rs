@@ -70,7 +70,7 @@ pub fn solve_batch<F: Float>(
 /// [`solve_batch`] with friction that falls with the slip.
 ///
 /// # Errors
-/// Those of [`friction::solve`], of the first bad input, with its number.
+/// Those of [`friction::solve_with_law`], of the first bad input, with its number.
 pub(crate) fn solve_under_friction<F: Float>(
     count: usize,
     options: &Options,
@@ -78,14 +78,14 @@ pub(crate) fn solve_under_friction<F: Float>(
     mut put: impl FnMut(usize, FrictionSolution<F>),
 ) -> Result<Warning, (usize, Error)> {
     check_each(count, &get, |(contact, creepage, law)| match law {
-        Some(law) => friction::check(contact, creepage, law, options),
+        Some(law) => friction::check_with_law(contact, creepage, law, options),
         None => forces::check(contact, creepage, options),
     })?;
     let mut worst = Warning::None;
     each(0..count, |i| {
         let (contact, creepage, law) = get(i);
         let found = match law {
-            Some(law) => friction::solve_checked(&contact, &creepage, &law, options)?,
+            Some(law) => friction::solve_with_law_checked(&contact, &creepage, &law, options)?,
             None => FrictionSolution {
                 solution: forces::forces_of_contact(&contact, &creepage, options)?,
                 friction: contact.friction,
@@ -121,7 +121,7 @@ fn check_each<F: Float>(
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
 ///
 /// # Errors
-/// Those of [`differentiate`](derivatives::differentiate), of the first bad input, with its number.
+/// Those of [`differentiate`](derivatives::differentiate_with_law), of the first bad input, with its number.
 pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,
@@ -129,7 +129,7 @@ pub(crate) fn differentiate_batch<F: Float>(
     mut put: impl FnMut(usize, &Gathered<F>),
 ) -> Result<Warning, (usize, Error)> {
     check_each(count, &get, |(contact, creepage, law)| {
-        derivatives::check(contact, creepage, law.as_ref(), options)
+        derivatives::check_differentiable(contact, creepage, law.as_ref(), options)
     })?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE

@@ -102,7 +102,7 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
         let [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer] =
             together(first, &|i| {
                 let (contact, _, law) = get(i);
-                let law = law.unwrap_or(SlipFriction::constant(contact.friction));
+                let law = law.unwrap_or(SlipFriction::of_constant(contact.friction));
                 let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, .. } = law;
                 [friction, ratio, decay, rolling_speed, slope_factor, law.slide_factor, law.layer]
             });
@@ -127,7 +127,9 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
     // μ ≥ μ₀ (1 − steepness), because exp(−x) ≥ 1 − x
     contact.is_ordinary(&creepage)
         && !steepness.exceeds(F::Contacts::of(MILD))
-        && !contact.stiffness().exceeds(contact.friction_bound().times(1e6 * (1.0 - MILD)))
+        && !contact
+            .tangential_stiffness()
+            .exceeds(contact.friction_bound().times(1e6 * (1.0 - MILD)))
 }
 
 #[target_feature(enable = "avx")]
@@ -146,7 +148,7 @@ fn solve_groups<F: Float>(
             worst = worst.worse(solve_each(alone, options, get, put)?);
             continue;
         }
-        let frame = &ScaledContact::of(&contact);
+        let frame = &ScaledContact::new(&contact);
         let (forces, psi) = match options.model {
             Model::Strip1967 => forces_of::<_, Strip1967<false>>(frame, &creepage, options),
             Model::Strip1967Continuous => {
@@ -186,7 +188,7 @@ fn differentiate_groups<F: Float>(
             worst = worst.worse(found?);
             continue;
         }
-        let frame = &ScaledContact::of(&contact);
+        let frame = &ScaledContact::new(&contact);
         let (forces, psi, slopes) = if options.model == Model::Linear {
             slopes_of::<_, Linear<F::Contacts>>(frame, &creepage, options)
         } else {

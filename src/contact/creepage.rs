@@ -121,7 +121,7 @@ impl<T: Number> Parameters<T> {
     /// their direction stays and their squares remain finite.
     #[must_use]
     pub fn new(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> Self {
-        Units::of(contact).parameters(creepage)
+        Units::new(contact).parameters(creepage)
     }
 
     /// The creepage that has these parameters on a contact: the inverse of
@@ -183,7 +183,7 @@ pub(crate) struct Units<F> {
 
 impl<F: Real> Units<F> {
     #[inline(always)]
-    pub(crate) fn of(contact: &Contact<F>) -> Self {
+    pub(crate) fn new(contact: &Contact<F>) -> Self {
         let Contact { a, b, poisson_ratio, .. } = *contact;
         let (lateral, axis_ratio) = (contact.stiffness_ratio(), a / b);
         Self {

@@ -21,7 +21,7 @@ impl<F: Float> Integrals<F> {
     /// All terms are positive, so the relative error is a few units in the last place for any `g`
     /// (after Bulirsch, Numerische Mathematik 7 (1965) 78).
     pub(crate) fn at(g: F) -> Self {
-        Self { b: linear(g, F::one(), F::zero()), d: linear(g, F::zero(), F::one()) }
+        Self { b: elliptic_sum(g, F::one(), F::zero()), d: elliptic_sum(g, F::zero(), F::one()) }
     }
 
     /// `K = B + D`.
@@ -45,7 +45,7 @@ impl<F: Float> Integrals<F> {
 const LANDEN_STEPS: usize = 12;
 
 /// `∫ (p cos²θ + q sin²θ)/√(cos²θ + g² sin²θ) dθ`.
-fn linear<F: Float>(g: F, p: F, q: F) -> F {
+fn elliptic_sum<F: Float>(g: F, p: F, q: F) -> F {
     // ∫ (p cos²θ + q sin²θ)/√(m² cos²θ + n² sin²θ) dθ keeps its value under
     //     p → (p + q)/2,  q → (p n + q m)/(m + n),  m → (m + n)/2,  n → √(m n).
     let (mut m, mut n, mut p, mut q) = (F::one(), g, p, q);

@@ -73,7 +73,7 @@ pub(crate) fn shift<T: Number>(
     let [vx, vy, phi] = units.normalised(&units.parameters(creepage));
     let [d, ..] = units.normalised(&units.parameters(&of_pressure));
     let LinearCoefficients { c11, c22, c23, .. } = *linear;
-    let adhesion = adhesion(units.axis_ratio);
+    let adhesion = full_adhesion(units.axis_ratio);
     let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23), d.scale(c11 * adhesion)];
     -(share(forces.map(|force| force.within(FARTHEST)), adhesion) * strain)
 }
@@ -91,19 +91,20 @@ pub(crate) fn seen<T: Number>(
         return *creepage;
     }
     let strain = pressure.scale(contact.strain());
-    let longitudinal = creepage.longitudinal + shift(&Units::of(contact), linear, creepage, strain);
+    let longitudinal =
+        creepage.longitudinal + shift(&Units::new(contact), linear, creepage, strain);
     Creepage { longitudinal, ..*creepage }
 }
 
 /// `Δυx` of the linear theory, which has adhesion everywhere.
 #[inline]
 pub(crate) fn linear_shift<F: Real>(axis_ratio: F, strain: F) -> F {
-    -(adhesion(axis_ratio) * strain)
+    -(full_adhesion(axis_ratio) * strain)
 }
 
 /// `c'` of full adhesion.
 #[inline]
-fn adhesion<F: Real>(axis_ratio: F) -> F {
+fn full_adhesion<F: Real>(axis_ratio: F) -> F {
     let [height, half] = WIDE;
     F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
 }

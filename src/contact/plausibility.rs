@@ -76,7 +76,8 @@ pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) ->
     let size = spin.abs() * a;
     let at_the_edge = size * (spin.abs() * b);
     if at_the_edge > F::constant(EDGE_SLIP * EDGE_SLIP)
-        && size * contact.stiffness() > normal_force.times(LARGEST_INCLINATION * 1.5 / PI)
+        && size * contact.tangential_stiffness()
+            > normal_force.times(LARGEST_INCLINATION * 1.5 / PI)
     {
         return Warning::Spin;
     }
@@ -115,14 +116,14 @@ impl<F: Real> Contact<F> {
             && longitudinal.abs().lies_within(F::of(LARGEST_CREEPAGE))
             && lateral.abs().lies_within(F::of(LARGEST_CREEPAGE))
             && spin.abs().lies_within(F::of(USUAL_SPIN))
-            && !load.exceeds(self.stiffness().times(LARGEST_PRESSURE))
+            && !load.exceeds(self.tangential_stiffness().times(LARGEST_PRESSURE))
             && (!edge.exceeds(F::of(EDGE_SLIP * EDGE_SLIP))
-                || !(size * self.stiffness()).exceeds(load.times(LARGEST_INCLINATION)))
+                || !(size * self.tangential_stiffness()).exceeds(load.times(LARGEST_INCLINATION)))
     }
 
     /// `G a b` \[N\]
     #[inline]
-    pub(crate) fn stiffness(&self) -> F {
+    pub(crate) fn tangential_stiffness(&self) -> F {
         (self.shear_modulus * self.a) * self.b
     }
 }
@@ -133,11 +134,11 @@ impl<F: Float> Contact<F> {
     /// ordinary.
     pub(crate) fn ordinary_spin(&self) -> F {
         let load = self.normal_force.times(1.5 / PI);
-        if !self.is_usual() || load > self.stiffness().times(LARGEST_PRESSURE) {
+        if !self.is_usual() || load > self.tangential_stiffness().times(LARGEST_PRESSURE) {
             return F::zero();
         }
         let at_the_edge = F::constant(EDGE_SLIP) / (self.a * self.b).sqrt();
-        let inclined = load.times(LARGEST_INCLINATION) / (self.stiffness() * self.a);
+        let inclined = load.times(LARGEST_INCLINATION) / (self.tangential_stiffness() * self.a);
         at_the_edge.max(inclined).min(F::constant(USUAL_SPIN)).times(0.999_99)
     }
 
@@ -146,7 +147,7 @@ impl<F: Float> Contact<F> {
     pub fn plausibility(&self) -> Warning {
         let Self { a, b, normal_force, friction, mismatch, .. } = *self;
         // p₀ = 3N/(2π a b) > 0.1 G
-        let pressed = self.stiffness().times(LARGEST_PRESSURE);
+        let pressed = self.tangential_stiffness().times(LARGEST_PRESSURE);
         if self.is_lost() {
             Warning::None
         } else if a.max(b) > F::constant(LARGEST_SEMI_AXIS) {

@@ -93,7 +93,7 @@ impl<F: Float> Batch<'_, F> {
             true => (&raw const none, 0),
             false => (inputs.mismatch, inputs.mismatch_stride),
         };
-        let get = |i| self.get(i, mismatch);
+        let get = |i| self.read(i, mismatch);
         let solved = if alone {
             // SAFETY: the promise of this function.
             let own = |i| unsafe { read(inputs.friction, inputs.friction_stride, i) };
@@ -142,7 +142,7 @@ impl<F: Float> Batch<'_, F> {
 
     /// Contact and creepage of an index below the count, with the place and the stride of the
     /// mismatch.
-    fn get(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
+    fn read(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
         let from = self.inputs;
         // SAFETY: the promise of `solve`.
         unsafe {

@@ -26,7 +26,7 @@ impl<F: Float> StoredPatch<F> {
 
     fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
         let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
-        let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.scale());
+        let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.quadrature());
         for strip in view.strips() {
             patch.push(*strip);
         }
@@ -34,11 +34,11 @@ impl<F: Float> StoredPatch<F> {
 }
 
 impl<F: Float> PatchSummary<F> {
-    pub(super) fn of(view: &PatchView<F>) -> Self {
+    pub(super) fn new(view: &PatchView<F>) -> Self {
         Self {
             normal_force: view.normal_force(),
             friction_bound: view.friction_bound(),
-            area: view.area() * view.scale().area,
+            area: view.area() * view.quadrature().area,
             lobes: view.lobes().count() as u32,
             reserved: 0,
         }
@@ -150,19 +150,19 @@ pub(super) fn evaluate_patch<F: Float>(
     let model = for_strips(options)?.model;
     let view = patch.view()?;
     let (solution, share, slopes) = if places.differentiates() {
-        let found = patch::friction::differentiate(&view, creepage, law, model)?;
+        let found = patch::friction::differentiate_patch(&view, creepage, law, model)?;
         (found.solution, found.friction, Some((found.derivatives, found.law)))
     } else if let Some(law) = law {
-        let found = patch::friction::solve(&view, creepage, law, model)?;
+        let found = patch::friction::solve_patch_with_law(&view, creepage, law, model)?;
         (found.solution, found.share, None)
     } else {
-        (solver::solve(&view, creepage, model)?, F::one(), None)
+        (solver::solve_patch(&view, creepage, model)?, F::one(), None)
     };
     if let Some((strips, count)) = places.strips {
         let count = given(count)?;
         Error::Capacity.unless(view.strips().len() <= strips.len())?;
         let mut written = strips.iter_mut();
-        patch::friction::strips(&view, creepage, law, share, model, &mut |strip| {
+        patch::friction::patch_strips_with_law(&view, creepage, law, share, model, &mut |strip| {
             if let Some(place) = written.next() {
                 place.write(strip);
             }

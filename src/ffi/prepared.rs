@@ -40,7 +40,7 @@ fn mark<F: Float>(model: Model) -> F {
 }
 
 impl<F: Float> PreparedNumbers<F> {
-    pub(super) fn of(prepared: &Prepared<F>) -> Self {
+    pub(super) fn new(prepared: &Prepared<F>) -> Self {
         let Options { model, strips } = prepared.options;
         let numbers = MaybeUninit::new([F::zero(); ROOM]);
         let mut stored = Self { numbers, model: model as i32, strips: strips as i32 };

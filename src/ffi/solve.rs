@@ -18,7 +18,7 @@ impl<F: Float> OutputPlaces<'_, F> {
     /// # Safety
     /// Every pointer is NULL, or valid and aligned for one write, that of the strips for
     /// `capacity`; no two overlap.
-    pub(super) unsafe fn of(outputs: &Outputs<F>) -> Self {
+    pub(super) unsafe fn new(outputs: &Outputs<F>) -> Self {
         // SAFETY: the caller's promise.
         unsafe {
             Self {
@@ -53,11 +53,11 @@ pub(super) fn evaluate<F: Float>(
     // By reference: avoids a copy of 200 bytes on the stack.
     let (differentiated, under_law, nothing, alone);
     let (solution, friction, slopes) = if places.differentiates() {
-        differentiated = differentiate(contact, creepage, law, &forces);
+        differentiated = differentiate_with_law(contact, creepage, law, &forces);
         let found = given_by(&differentiated)?;
         (&found.solution, found.friction, Some((&found.derivatives, &found.law)))
     } else if let Some(law) = law {
-        under_law = friction::solve(contact, creepage, law, &forces);
+        under_law = friction::solve_with_law(contact, creepage, law, &forces);
         let found = given_by(&under_law)?;
         (&found.solution, found.friction, None)
     } else if places.result.is_none() && places.strips.is_some() {
@@ -70,7 +70,7 @@ pub(super) fn evaluate<F: Float>(
     };
     let mut warning = solution.warning;
     if let Some(strips) = places.strips {
-        let stiffness = law.map_or(F::one(), SlipFriction::stiffness);
+        let stiffness = law.map_or(F::one(), SlipFriction::slope_or_one);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
         warning = warning.worse(write_strips(&contact, creepage, law, &inside, strips)?);
@@ -100,7 +100,7 @@ fn write_strips<F: Float>(
     }
     let mut places = strips.iter_mut();
     let mut written = 0_u32;
-    let warning = friction::strips(contact, creepage, law, options, &mut |strip| {
+    let warning = friction::strips_with_law(contact, creepage, law, options, &mut |strip| {
         if let Some(place) = places.next() {
             place.write(strip);
             written += 1;
@@ -112,7 +112,7 @@ fn write_strips<F: Float>(
 
 /// # Safety
 /// Every pointer of the outputs is NULL, or valid and aligned for one write; no two overlap.
-pub(super) unsafe fn solve_motion<F: Float>(
+pub(super) unsafe fn write_motion<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
@@ -125,11 +125,12 @@ pub(super) unsafe fn solve_motion<F: Float>(
     // SAFETY: as before.
     let derivatives = unsafe { place(outputs.derivatives) };
     let (solution, friction) = if let Some(place) = derivatives {
-        let (solution, friction, slopes) = motion::differentiate(contact, motion, law, &options)?;
+        let (solution, friction, slopes) =
+            motion::differentiate_motion(contact, motion, law, &options)?;
         place.write(slopes);
         (solution, friction)
     } else {
-        motion::solve(contact, motion, law, &options)?
+        motion::solve_motion(contact, motion, law, &options)?
     };
     put(result, solution);
     put(used, friction);

@@ -72,26 +72,26 @@ impl<F: Float> Derivatives<F> {
 /// respect to them are one-sided: those of full sliding.
 ///
 /// # Errors
-/// Those of [`solve`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative
+/// Those of [`forces_and_derivatives`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative
 /// does not fit the floating-point type.
 ///
 /// # Example
 /// A sliding wheel loses braking force in proportion to its load:
 /// ```
 /// use kstrip::contact::{Contact, creepage::Creepage};
-/// use kstrip::forces::{Options, derivatives::solve};
+/// use kstrip::forces::{Options, derivatives::forces_and_derivatives};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
 /// let sliding = Creepage { longitudinal: 0.1_f64, lateral: 0.0, spin: 0.0 };
-/// let (_, derivatives) = solve(&contact, &sliding, &Options::default())?;
+/// let (_, derivatives) = forces_and_derivatives(&contact, &sliding, &Options::default())?;
 /// assert!((derivatives.normal_force[0] - 0.3).abs() < 1e-9);
 /// assert!((derivatives.friction[0] - 80e3).abs() < 1e-3);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn forces_and_derivatives<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
@@ -100,10 +100,10 @@ pub fn solve<F: Float>(
     Ok((solution, slopes.derivatives))
 }
 
-/// [`solve`] with the intermediate results that other derivatives use.
+/// [`forces_and_derivatives`] with the intermediate results that other derivatives use.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`forces_and_derivatives`].
 pub(crate) fn solve_with_slopes<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -116,7 +116,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
     if contact.is_lost() {
         return Ok((Solution::nothing(), Slopes::nothing()));
     }
-    let frame = &ScaledContact::of(contact);
+    let frame = &ScaledContact::new(contact);
     let (solution, slopes) = by_model!(
         options.model,
         F,
@@ -148,11 +148,11 @@ impl<F: Float> Slopes<F> {
     pub(crate) fn nothing() -> Self {
         let none = F::zero();
         let rest = Creepage { longitudinal: none, lateral: none, spin: none };
-        Self::of(Derivatives::nothing(), None, &rest, [none; 3])
+        Self::through_shift(Derivatives::nothing(), None, &rest, [none; 3])
     }
 
     /// From the derivatives with respect to `w`, and the forces.
-    pub(crate) fn of(
+    pub(crate) fn through_shift(
         mut derivatives: Derivatives<F>,
         shift: Option<Shift<F>>,
         seen: &Creepage<F>,
@@ -192,17 +192,18 @@ impl<F: Float> Slopes<F> {
     }
 }
 
-/// [`solve`] with the derivatives with respect to the creepages as a matrix, row by row: N, N, N m
+/// [`forces_and_derivatives`] with the derivatives with respect to the creepages as a matrix, row by row: N, N, N m
 /// per 1, 1, 1/m.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`forces_and_derivatives`].
 pub fn solve_jacobian<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, Derivatives { jacobian, .. }) = solve(contact, creepage, options)?;
+    let (solution, Derivatives { jacobian, .. }) =
+        forces_and_derivatives(contact, creepage, options)?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(jacobian).transpose()))
 }
@@ -218,7 +219,7 @@ fn differentiated<F: Float, M: Theory<F>>(
     let bound = frame.contact.friction_bound();
     let (forces, psi, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
         let (forces, psi) = theory.forces(frame, &seen);
-        (forces, psi, sliding(&theory, frame, &seen))
+        (forces, psi, without_friction(&theory, frame, &seen))
     } else {
         with_slopes(&theory, frame, &seen)
     };
@@ -228,7 +229,7 @@ fn differentiated<F: Float, M: Theory<F>>(
         through_shift(&mut derivatives, &shift, creepage, &frame.contact);
     }
     let force = [solution.fx, solution.fy, solution.mz];
-    (solution, Slopes::of(derivatives, shift, &seen, force))
+    (solution, Slopes::through_shift(derivatives, shift, &seen, force))
 }
 
 /// Adds the derivatives of the shift with respect to load and friction: in units of `M` it is a
@@ -270,7 +271,7 @@ pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
     match theory.stiffness() {
         Some(stiffness) => {
             let (forces, psi) = theory.forces(frame, creepage);
-            let derivatives = linear(stiffness, frame, creepage, &forces);
+            let derivatives = linear_with_slopes(stiffness, frame, creepage, &forces);
             (forces, psi, derivatives)
         }
         None => saturating(theory, frame, creepage),
@@ -293,7 +294,7 @@ fn saturating<F: Real, M: Theory<F>>(
     let Totals { fx, fy, mz, stick } = theory.model_totals(frame, &parameters);
     let bound = contact.friction_bound();
     let [of_x, of_y, of_z, stick] = [fx.value, fy.value, mz.value, stick.value];
-    let forces = frame.forces(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
+    let forces = frame.in_newtons(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
     let [by_x, by_y, by_z] = powers::<F>();
@@ -316,7 +317,7 @@ fn saturating<F: Real, M: Theory<F>>(
 }
 
 /// Without friction there is no force and no dependence on the creepage.
-pub(crate) fn sliding<F: Float, M: Theory<F>>(
+pub(crate) fn without_friction<F: Float, M: Theory<F>>(
     theory: &M,
     frame: &ScaledContact<F>,
     creepage: &Creepage<F>,
@@ -337,7 +338,7 @@ pub(crate) fn sliding<F: Float, M: Theory<F>>(
 
 /// The linear theory: the derivatives are its coefficients.
 #[inline(always)]
-fn linear<F: Real>(
+fn linear_with_slopes<F: Real>(
     [x, y, coupling, z]: &[F; 4],
     frame: &ScaledContact<F>,
     creepage: &Creepage<F>,

@@ -103,7 +103,7 @@ impl<F: Float> Field<F> {
         let creepage = &if contact.is_lost() {
             *creepage
         } else {
-            ScaledContact::of(contact).seen(creepage, options.model).0
+            ScaledContact::new(contact).seen(creepage, options.model).0
         };
         let parameters = Parameters::new(contact, creepage);
         // The dissipation of a point is traction times slip. Slip is of the size of the rigid slip,

@@ -106,6 +106,11 @@ impl<F: Float> Solution<F> {
         Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, warning, reserved: 0 }
     }
 
+    /// `fx, fy, mz`
+    pub(crate) fn components(&self) -> [F; 3] {
+        [self.fx, self.fy, self.mz]
+    }
+
     /// The forces on the upper body: opposite forces and moment, same power.
     #[must_use]
     pub fn on_upper_body(&self) -> Self {

@@ -53,7 +53,7 @@ impl<F: Float> Prepared<F> {
     /// ```
     pub fn new(contact: &Contact<F>, options: &Options) -> Result<Self, Error> {
         contact.check()?;
-        let frame = ScaledContact::of(contact);
+        let frame = ScaledContact::new(contact);
         let known = match options.model {
             Model::Strip1967 if Model::HAS_STRIP_1967 => {
                 ModelState::Strip1967(Theory::of_contact(&frame, options))

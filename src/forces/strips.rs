@@ -75,7 +75,7 @@ pub fn strips<F: Float>(
     if contact.is_lost() {
         return Ok(Warning::None);
     }
-    let frame = ScaledContact::of(contact);
+    let frame = ScaledContact::new(contact);
     let (creepage, _) = &frame.seen(creepage, options.model);
     let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
@@ -102,7 +102,7 @@ pub fn strips<F: Float>(
         place_strips(&law, parameters.normalised(), options.strips, &mut share);
     } else if Model::HAS_STRIP_1967 {
         let rule = sliding_rule(options.model);
-        strip_1967::strips::strips(&parameters, rule, options.strips, &mut share);
+        strip_1967::strips::visit_strips(&parameters, rule, options.strips, &mut share);
     }
     Ok(warning_of(contact, creepage, options.model, parameters.psi))
 }
@@ -117,7 +117,7 @@ fn place_strips<F: Float>(
 ) {
     let rule = Rule::<F>::new(count);
     let mut places = rule.places();
-    strips.each(creepage, &mut |carried, area| {
+    strips.each_strip(creepage, &mut |carried, area| {
         let Some([y, c, width]) = places.next() else { return };
         let Totals { fx, fy, mz, stick } = carried;
         visit(PlacedStrip {

@@ -86,7 +86,7 @@ pub(crate) fn solution_of<F: Float, M: Theory<F>>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    let frame = &ScaledContact::of(contact);
+    let frame = &ScaledContact::new(contact);
     Ok(M::of_contact(frame, options).answer(frame, creepage, ordinary))
 }
 
@@ -102,9 +102,9 @@ pub(crate) struct ScaledContact<F> {
 
 impl<F: Real> ScaledContact<F> {
     #[inline(always)]
-    pub(crate) fn of(contact: &Contact<F>) -> Self {
-        let (root_a, root_b) = F::Pair::of(contact.a, contact.b).sqrt().parts();
-        Self { contact: *contact, radius: root_a * root_b, units: Units::of(contact) }
+    pub(crate) fn new(contact: &Contact<F>) -> Self {
+        let (root_a, root_b) = F::Pair::couple(contact.a, contact.b).sqrt().parts();
+        Self { contact: *contact, radius: root_a * root_b, units: Units::new(contact) }
     }
 
     /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
@@ -138,7 +138,7 @@ impl<F: Real> ScaledContact<F> {
 
     /// Forces in newtons from `F/(μ N)` and `M_z/(μ N √(ab))`.
     #[inline(always)]
-    pub(crate) fn forces(&self, totals: Totals<F>) -> Forces<F> {
+    pub(crate) fn in_newtons(&self, totals: Totals<F>) -> Forces<F> {
         let bound = self.contact.friction_bound();
         let Totals { fx, fy, mz, stick } = totals;
         Forces { fx: fx * bound, fy: fy * bound, mz: mz * (bound * self.radius), adhesion: stick }
@@ -180,7 +180,7 @@ pub(crate) trait Theory<F: Real>: Copy {
     #[inline(always)]
     fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let parameters = frame.units.parameters(creepage);
-        (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
+        (frame.in_newtons(self.model_totals(frame, &parameters)), parameters.psi)
     }
 
     /// The forces without creepage: zero, with adhesion everywhere, which TOTAL does not compute.

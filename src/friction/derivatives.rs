@@ -136,7 +136,7 @@ impl<F: Float> AtFriction<F> {
             *column = shifted(column, rate * over_bound(*power_by));
         }
         // F = M f(k c/M, k κ/μ):  k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ
-        let stiffness = law.stiffness();
+        let stiffness = law.slope_or_one();
         let mut by_stiffness = derivatives.jacobian.map(|row| along(&row));
         for ((entry, by_mismatch), own) in
             by_stiffness.iter_mut().zip(by_mismatch).zip(besides.forces)
@@ -175,7 +175,7 @@ fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] 
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// What [`differentiate`] returns.
+/// What [`differentiate_with_law`] returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differentiated<F: Float> {
     /// The forces.
@@ -194,24 +194,24 @@ pub struct Differentiated<F: Float> {
 ///
 /// # Errors
 /// Those of `solve` and [`SlipFriction::check`].
-pub fn differentiate<F: Float>(
+pub fn differentiate_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
     if let Some(law) = law {
-        friction::check(contact, creepage, law, options)?;
+        friction::check_with_law(contact, creepage, law, options)?;
     }
-    differentiate_checked(contact, creepage, law, options)
+    differentiate_with_law_checked(contact, creepage, law, options)
 }
 
-/// [`differentiate`] for a law that [`friction::check`] has accepted with the contact and the
+/// [`differentiate_with_law`] for a law that [`friction::check_with_law`] has accepted with the contact and the
 /// creepage.
 ///
 /// # Errors
-/// Those of [`differentiate`].
-pub(crate) fn differentiate_checked<F: Float>(
+/// Those of [`differentiate_with_law`].
+pub(crate) fn differentiate_with_law_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -220,7 +220,7 @@ pub(crate) fn differentiate_checked<F: Float>(
     let under;
     let (contact, warning) = match law {
         Some(law) => {
-            under = friction::under_checked(contact, creepage, law, options)?;
+            under = friction::contact_with_law_checked(contact, creepage, law, options)?;
             (&under.0, under.1)
         }
         None => (contact, Warning::None),
@@ -270,12 +270,12 @@ pub(crate) fn without_law<F: Float>(
     LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
 }
 
-/// Checks the inputs of [`differentiate`], without solving but where sizes are so unusual that a
+/// Checks the inputs of [`differentiate_with_law`], without solving but where sizes are so unusual that a
 /// derivative might not fit.
 ///
 /// # Errors
-/// Those of [`differentiate`].
-pub(crate) fn check<F: Float>(
+/// Those of [`differentiate_with_law`].
+pub(crate) fn check_differentiable<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -283,7 +283,7 @@ pub(crate) fn check<F: Float>(
 ) -> Result<(), Error> {
     let (friction, steepness) = match law {
         Some(law) => {
-            friction::check(contact, creepage, law, options)?;
+            friction::check_with_law(contact, creepage, law, options)?;
             law.least(contact, creepage)
         }
         None => {
@@ -294,12 +294,13 @@ pub(crate) fn check<F: Float>(
     // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through
     // friction.
     let fit = contact.is_ordinary(creepage)
-        && contact.stiffness() <= Contact { friction, ..*contact }.friction_bound().times(1e6)
+        && contact.tangential_stiffness()
+            <= Contact { friction, ..*contact }.friction_bound().times(1e6)
         && steepness < F::constant(0.9);
     if fit || contact.is_lost() {
         return Ok(());
     }
-    differentiate(contact, creepage, law, options).map(|_| ())
+    differentiate_with_law(contact, creepage, law, options).map(|_| ())
 }
 
 impl<F: Float> LawDerivatives<F> {

@@ -87,7 +87,7 @@ impl<F: Float> SlipFriction<F> {
 
     /// Constant friction, clean bodies.
     #[must_use]
-    pub fn constant(friction: F) -> Self {
+    pub fn of_constant(friction: F) -> Self {
         let zero = F::zero();
         Self {
             friction,
@@ -122,7 +122,7 @@ impl<F: Float> SlipFriction<F> {
     }
 
     /// `k`, or 1 where `k` is zero.
-    pub(crate) fn stiffness(&self) -> F {
+    pub(crate) fn slope_or_one(&self) -> F {
         if self.slope_factor > F::zero() { self.slope_factor } else { F::one() }
     }
 
@@ -131,7 +131,7 @@ impl<F: Float> SlipFriction<F> {
         // The layer takes its share of every slip, also of that which the pressure of the solids
         // makes: κ/G stays.
         let [shear_modulus, mismatch] =
-            [contact.shear_modulus, contact.mismatch].map(|number| number * self.stiffness());
+            [contact.shear_modulus, contact.mismatch].map(|number| number * self.slope_or_one());
         Contact { friction: self.friction, shear_modulus, mismatch, ..*contact }
     }
 

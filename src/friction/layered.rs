@@ -11,7 +11,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
-use crate::forces::derivatives::{Derivatives, Slopes, sliding, through_shift};
+use crate::forces::derivatives::{Derivatives, Slopes, through_shift, without_friction};
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
 use crate::forces::warning::warning_of;
@@ -159,7 +159,7 @@ impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
             return (Forces { fx, fy, mz, adhesion: F::one() }, F::zero());
         }
         let parameters = frame.units.parameters(creepage);
-        (frame.forces(self.model_totals(frame, &parameters)), parameters.psi)
+        (frame.in_newtons(self.model_totals(frame, &parameters)), parameters.psi)
     }
 }
 
@@ -187,7 +187,7 @@ pub(crate) struct ThroughLayer<'a, F> {
 
 impl<F: Float> ThroughLayer<'_, F> {
     fn interface(&self, contact: &Contact<F>) -> Interface<F> {
-        self.law.interface(contact.shear_modulus / self.law.stiffness(), contact.a)
+        self.law.interface(contact.shear_modulus / self.law.slope_or_one(), contact.a)
     }
 
     /// Forces.
@@ -210,7 +210,7 @@ impl<F: Float> ThroughLayer<'_, F> {
         if contact.is_lost() {
             return Ok((Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing()));
         }
-        let frame = &ScaledContact::of(contact);
+        let frame = &ScaledContact::new(contact);
         let none = (Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing());
         let found = by_model!(self.options.model, F, differentiate_in(self, frame, ordinary), none);
         let (_, slopes, of_layer) = &found;
@@ -233,7 +233,7 @@ fn solve_in<F: Float, M: Theory<F>>(
     if contact.is_lost() {
         return Ok(Solution::nothing());
     }
-    let frame = &ScaledContact::of(contact);
+    let frame = &ScaledContact::new(contact);
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
     Ok(layered.answer(frame, through.creepage, ordinary))
 }
@@ -250,7 +250,7 @@ fn differentiate_in<F: Float, M: Theory<F>>(
     let slides = layered.model.stiffness().is_none() && contact.friction_bound() <= none;
     let (forces, psi, mut derivatives, by_interface) = if slides {
         let (forces, psi) = layered.forces(frame, &seen);
-        (forces, psi, sliding(&layered, frame, &seen), [[none; 3]; 2])
+        (forces, psi, without_friction(&layered, frame, &seen), [[none; 3]; 2])
     } else {
         layered.with_slopes(frame, &seen)
     };
@@ -260,9 +260,9 @@ fn differentiate_in<F: Float, M: Theory<F>>(
         through_shift(&mut derivatives, &shift, through.creepage, contact);
     }
     let force = [solution.fx, solution.fy, solution.mz];
-    let slopes = Slopes::of(derivatives, shift, &seen, force);
+    let slopes = Slopes::through_shift(derivatives, shift, &seen, force);
     // by λ = h G/(G₃ a) to that by h/G₃
-    let unit = contact.shear_modulus / through.law.stiffness() / contact.a;
+    let unit = contact.shear_modulus / through.law.slope_or_one() / contact.a;
     let [of_layer, of_slide] = by_interface;
     let forces = [of_layer.map(|slope| slope * unit), of_slide];
     let power = forces.map(|slopes| seen.power(slopes));
@@ -356,7 +356,7 @@ impl<F: Float> ThroughLayer<'_, F> {
         if contact.is_lost() {
             return Ok(Warning::None);
         }
-        let frame = &ScaledContact::of(contact);
+        let frame = &ScaledContact::new(contact);
         let (seen, _) = frame.seen(self.creepage, self.options.model);
         let parameters = frame.units.parameters(&seen);
         let (ratio, _, linear) = frame.shape();

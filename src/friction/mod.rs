@@ -67,7 +67,7 @@ pub struct FrictionSolution<F> {
 /// A driven wheel that slips more pulls less:
 /// ```
 /// use kstrip::contact::{Contact, creepage::Creepage};
-/// use kstrip::{friction::{SlipFriction, solve}, forces::Options};
+/// use kstrip::{friction::{SlipFriction, solve_with_law}, forces::Options};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.0,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -79,32 +79,32 @@ pub struct FrictionSolution<F> {
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
-///     solve(&contact, &creepage, &wet, &Options::default()).map(|found| found.solution.fx)
+///     solve_with_law(&contact, &creepage, &wet, &Options::default()).map(|found| found.solution.fx)
 /// };
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn solve_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
-    check(contact, creepage, friction, options)?;
-    solve_checked(contact, creepage, friction, options)
+    check_with_law(contact, creepage, friction, options)?;
+    solve_with_law_checked(contact, creepage, friction, options)
 }
 
-/// [`solve`] for inputs that [`check`] has accepted.
+/// [`solve_with_law`] for inputs that [`check_with_law`] has accepted.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`], which no such inputs bring.
-pub(crate) fn solve_checked<F: Float>(
+pub(crate) fn solve_with_law_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
-    let (contact, warning) = under_checked(contact, creepage, friction, options)?;
+    let (contact, warning) = contact_with_law_checked(contact, creepage, friction, options)?;
     let mut solution = forces_behind(&contact, creepage, friction, options)?;
     solution.warning = solution.warning.worse(warning);
     Ok(FrictionSolution { solution, friction: contact.friction })
@@ -114,22 +114,22 @@ pub(crate) fn solve_checked<F: Float>(
 /// Strips and fields are computed from this contact.
 ///
 /// # Errors
-/// Those of [`solve`].
-pub fn under<F: Float>(
+/// Those of [`solve_with_law`].
+pub fn contact_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<(Contact<F>, Warning), Error> {
-    check(contact, creepage, friction, options)?;
-    under_checked(contact, creepage, friction, options)
+    check_with_law(contact, creepage, friction, options)?;
+    contact_with_law_checked(contact, creepage, friction, options)
 }
 
-/// [`under`] for inputs that [`check`] has accepted.
+/// [`contact_with_law`] for inputs that [`check_with_law`] has accepted.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`], which no such inputs bring.
-pub(crate) fn under_checked<F: Float>(
+pub(crate) fn contact_with_law_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -140,11 +140,11 @@ pub(crate) fn under_checked<F: Float>(
     Ok((Contact { friction, ..contact }, warning))
 }
 
-/// Checks the inputs of [`solve`] without solving.
+/// Checks the inputs of [`solve_with_law`] without solving.
 ///
 /// # Errors
-/// Those of [`solve`]: no smaller friction brings another.
-pub fn check<F: Float>(
+/// Those of [`solve_with_law`]: no smaller friction brings another.
+pub fn check_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     friction: &SlipFriction<F>,
@@ -155,11 +155,11 @@ pub fn check<F: Float>(
 }
 
 /// Every strip of the solution, handed to `visit`, of a contact with the friction that agrees and
-/// the stiffness of the law, as [`under`] gives it. Their shares add up to the forces.
+/// the stiffness of the law, as [`contact_with_law`] gives it. Their shares add up to the forces.
 ///
 /// # Errors
 /// Those of [`forces::strips()`].
-pub fn strips<F: Float>(
+pub fn strips_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,

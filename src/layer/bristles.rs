@@ -82,7 +82,7 @@ pub(crate) struct Bristles<T> {
 
 /// A place on the way that follows from that where sliding begins.
 #[derive(Clone, Copy)]
-struct Place<B> {
+struct SlidingPoint<B> {
     x: B,
     /// `g`, its reciprocal, and `dg/dw` over it, where `w` is the way in adhesion.
     bound: B,
@@ -95,7 +95,7 @@ struct Place<B> {
 impl<T: Arithmetic> Rates<T> {
     /// Forces of the strip, from the [`ROWS`].
     #[inline(always)]
-    pub fn forces(&self, rows: impl Iterator<Item = [T::Value; 9]>) -> Bristles<T> {
+    pub fn forces_of_strip(&self, rows: impl Iterator<Item = [T::Value; 9]>) -> Bristles<T> {
         let zero = T::zero();
         let mut carried = Bristles { fx: zero, fy: zero, mx: zero, stick: zero };
         let mut t = [zero; 2];
@@ -137,7 +137,7 @@ impl<T: Arithmetic> Rates<T> {
         let by_outside = e.choose(by * share, zero);
         let way = T::composed(l * share, [by * (one - share), by_outside], [inside, outside]);
         let w = way.value();
-        let onset = Place::onset(u + w, x - w);
+        let onset = SlidingPoint::onset(u + w, x - w);
         let p = self.stuck(t, x, onset.x, onset.moves, way);
         let [px, py] = p.map(T::value);
         // the middle of the rest in α, and the sine and cosine of half its angle
@@ -145,7 +145,7 @@ impl<T: Arithmetic> Rates<T> {
         let per = one / (cosine.squared() + sine.squared()).sqrt();
         let (cosine, sine) = (cosine * per, sine * per);
         let rate = onset.per_bound.times(0.5);
-        let middle = Place::new(cosine, sine, cosine * rate, -(sine * rate));
+        let middle = SlidingPoint::new(cosine, sine, cosine * rate, -(sine * rate));
         let half = onset.x * sine - onset.bound * cosine;
         let half2 = half.squared();
         let series = half2.times(ARCSIN).plus(3.0 / 40.0);
@@ -159,7 +159,7 @@ impl<T: Arithmetic> Rates<T> {
         };
         let [mx, my] = m.map(T::value);
         let at_end =
-            Place { x: end, bound: least, per_bound: per_least, widens: zero, moves: zero };
+            SlidingPoint { x: end, bound: least, per_bound: per_least, widens: zero, moves: zero };
         let next = self.moved(p, a, &onset, &at_end, way);
         let [nx, ny] = next.map(T::value);
         // ∫ t du over the way in adhesion, exactly
@@ -230,8 +230,8 @@ impl<T: Arithmetic> Rates<T> {
         &self,
         p: [T; 2],
         a: [T; 2],
-        onset: &Place<T::Value>,
-        end: &Place<T::Value>,
+        onset: &SlidingPoint<T::Value>,
+        end: &SlidingPoint<T::Value>,
         way: T,
     ) -> [T; 2] {
         let (zero, one) = (T::Value::constant(0.0), T::Value::constant(1.0));
@@ -293,7 +293,7 @@ impl<T: Arithmetic> Rates<T> {
     }
 }
 
-impl<B: Arithmetic<Value = B>> Place<B> {
+impl<B: Arithmetic<Value = B>> SlidingPoint<B> {
     #[inline(always)]
     fn new(x: B, bound: B, grows: B, moves: B) -> Self {
         let bound = bound.max(B::constant(LEAST));

@@ -49,7 +49,7 @@ const SOFTENED: f64 = 0.6;
 const LEVER: f64 = 1.002_169_638_402_630_8;
 /// Rates of bristles beyond this slide, and are scaled down together.
 #[inline]
-fn largest<T: Number>() -> f64 {
+fn largest_rate<T: Number>() -> f64 {
     if size_of::<T::Base>() / T::LANES == 4 { 1e4 } else { 1e8 }
 }
 
@@ -79,7 +79,7 @@ const STRIPS: [[f64; 12]; 3] = {
 };
 
 /// Sums over the strips with their derivatives with respect to the rates.
-type Slopes<F> = [Dual<F, 3>; 4];
+type RateSlopes<F> = [Dual<F, 3>; 4];
 
 /// A layer, and what sliding leaves of its stiffness, as numbers that may be variables.
 #[derive(Clone, Copy, Debug)]
@@ -158,7 +158,7 @@ impl<F: Real> Layer<F> {
         let LinearCoefficients { c11, c22, c23, .. } = self.linear;
         let one = T::one();
         let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23)];
-        let [lx, ly, ls] = scaled_down(forces, F::of(largest::<T>()));
+        let [lx, ly, ls] = scaled_down(forces, F::of(largest_rate::<T>()));
         // what sliding leaves: k₁ + (1 − k₁)/(1 + (0.6 s)^{3/2})
         let s = (lx.squared() + (ly + ls).squared()).sqrt().times(SOFTENED);
         let slide = interface.slide + (one - interface.slide) / (s * s.sqrt()).plus(1.0);
@@ -183,7 +183,7 @@ impl<F: Real> Layer<F> {
     pub fn bristles<T: Number<Base = F>>(&self, [x, y, spin]: [T; 3]) -> Totals<T> {
         // (spin at the half length `b` may be much larger)
         let across = spin.scale(F::one() / (self.root * self.root));
-        let [x, y, spin, _] = scaled_down([x, y, spin, across], F::of(largest::<T>()));
+        let [x, y, spin, _] = scaled_down([x, y, spin, across], F::of(largest_rate::<T>()));
         let (inputs, values) = ([x, y, spin], [x, y, spin].map(T::value));
         let sums = if T::HAS_DERIVATIVES {
             self.slopes(values).map(|sum| T::composed(sum.value, sum.gradient, inputs))
@@ -217,8 +217,8 @@ impl<F: Real> Layer<F> {
     }
 
     #[inline(always)]
-    fn slopes(&self, rates: [F; 3]) -> Slopes<F> {
-        with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> Slopes<F> {
+    fn slopes(&self, rates: [F; 3]) -> RateSlopes<F> {
+        with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> RateSlopes<F> {
             layer.sums_and_slopes::<F::Four>(rates)
         } {
             layer.sums_and_slopes::<F::WideFour>(rates)
@@ -226,7 +226,7 @@ impl<F: Real> Layer<F> {
     }
 
     #[inline(always)]
-    fn sums_and_slopes<P: Strips<F>>(&self, rates: [F; 3]) -> Slopes<F> {
+    fn sums_and_slopes<P: Strips<F>>(&self, rates: [F; 3]) -> RateSlopes<F> {
         let one = |at: usize| {
             let gradient = [0, 1, 2].map(|i| if i == at { P::constant(1.0) } else { P::zero() });
             Dual { value: P::zero(), gradient }
@@ -261,7 +261,7 @@ impl<F: Real> Layer<F> {
             };
             let rows =
                 table!(F, ROWS).iter().map(|row| row.each_ref().map(|x| P::all(F::stored(*x))));
-            let Bristles { fx, fy, mx, stick } = strip.forces(rows);
+            let Bristles { fx, fy, mx, stick } = strip.forces_of_strip(rows);
             // Mz = ∫ (x Y − y X)
             let mz = mx.scale(load * c * root) - fx.scale(load * place * upright);
             add(&mut sums, [fx.scale(load), fy.scale(load), mz, stick.scale(load)]);
@@ -273,11 +273,11 @@ impl<F: Real> Layer<F> {
 impl<T: Number> Rates<T> {
     /// Forces of one strip, for rates of any size.
     pub fn of_strip(&self) -> Bristles<T> {
-        let limit = T::Base::of(largest::<T>());
+        let limit = T::Base::of(largest_rate::<T>());
         let [x, y, spin] = scaled_down([self.x, self.y, self.spin], limit);
         let rows =
             table!(T::Base, ROWS).iter().map(|row| row.each_ref().map(|x| T::Base::stored(*x)));
-        let Bristles { fx, fy, mx, stick } = Rates { x, y, spin }.forces(rows);
+        let Bristles { fx, fy, mx, stick } = Rates { x, y, spin }.forces_of_strip(rows);
         let kept = (fx.squared() + fy.squared()).max(T::one()).sqrt().inverse();
         Bristles { fx: fx * kept, fy: fy * kept, mx: mx * kept, stick }
     }

@@ -15,7 +15,7 @@ mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
 use crate::number::avx::with_avx;
-use crate::number::tables::{row, rows, table, widen};
+use crate::number::tables::{couples_as_rows, row, table, widen};
 use crate::number::{Arithmetic, Pair, Real};
 use core::f64::consts::{LN_2, PI};
 
@@ -61,7 +61,7 @@ impl<F: Real> LinearCoefficients<F> {
     #[inline(always)]
     fn quotients(axis_ratio: F, poisson_ratio: F) -> Self {
         let one = F::one();
-        let pair = |p: F, q: F| <F::Pair as Pair<F>>::of(p, q);
+        let pair = |p: F, q: F| <F::Pair as Pair<F>>::couple(p, q);
         let both = |x: F| <F::Pair as Pair<F>>::both(x);
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let nu = poisson_ratio;
@@ -89,7 +89,7 @@ impl<F: Real> LinearCoefficients<F> {
 
         // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
         // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
-        let fitted = cubic(table!(F, rows(&E11_E22))) * both(w);
+        let fitted = cubic(table!(F, couples_as_rows(&E11_E22))) * both(w);
         let near = pair(n, one) * both(y.times(8.0 / PI));
         let far = pair(one, n).times(LN_16 - K) + pair(-two_nu, two_nu);
         let denominators = line(far * both(z) + (near + fitted), pair(z + z, nz + nz));
@@ -106,11 +106,11 @@ impl<F: Real> LinearCoefficients<F> {
                 (y * n + z) + (nu * y).times(LN_16 - 4.0),
                 (linear * zl + z * nu.times(6.0).plus(-2.0)).times(PI / 4.0)
                     + y.times(PI * PI / 8.0),
-            ) + cubic(table!(F, rows(&N23_N33))) * both(w),
+            ) + cubic(table!(F, couples_as_rows(&N23_N33))) * both(w),
             pair(nu * y, linear * z.times(PI / 2.0) + w2 * (n0 + n1 * nu)),
         );
         let denominators = line(
-            both(e) + cubic(table!(F, rows(&E23_E33))) * both(w),
+            both(e) + cubic(table!(F, couples_as_rows(&E23_E33))) * both(w),
             both(nz + nz) + pair(F::zero(), w2 * (e0 + e1 * nu)),
         );
         let factors = pair(root.times(2.0 * PI / 3.0), one) * both(r);
@@ -124,8 +124,8 @@ impl<F: Real> LinearCoefficients<F> {
 fn cubic<F: Real>([c0, c1, c2, c3]: &[[F::Stored; 4]; 4], x: F, x2: F, nu: F) -> F::Pair {
     let [nu, x, x2] = F::Pair::each(&[nu, x, x2], |x| <F::Pair as Pair<F>>::both(*x));
     let coefficient = |[c, d, by_nu, of_d]: &[F::Stored; 4]| {
-        F::Pair::of(F::stored(*c), F::stored(*d))
-            + nu * F::Pair::of(F::stored(*by_nu), F::stored(*of_d))
+        F::Pair::couple(F::stored(*c), F::stored(*d))
+            + nu * F::Pair::couple(F::stored(*by_nu), F::stored(*of_d))
     };
     (coefficient(c0) + coefficient(c1) * x) + (coefficient(c2) + coefficient(c3) * x) * x2
 }

@@ -103,13 +103,13 @@ pub struct MotionDerivatives<F> {
 /// not used.
 ///
 /// # Errors
-/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve`];
+/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve_with_law`];
 /// [`Error::NotFinite`], [`Error::FloorSpeed`].
 ///
 /// # Example
 /// A wheel that stands on a slope creeps, and one that rolls back is braked:
 /// ```
-/// use kstrip::{contact::Contact, forces::Options, motion::{solve, Motion}};
+/// use kstrip::{contact::Contact, forces::Options, motion::{solve_motion, Motion}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -118,12 +118,12 @@ pub struct MotionDerivatives<F> {
 /// let creeps = Motion { slip_x: 5e-6, ..Motion::default() };
 /// let backward = Motion { slip_x: 1e-3, rolling_speed: -2.0, ..Motion::default() };
 /// for motion in [creeps, backward] {
-///     let (forces, _) = solve(&contact, &motion, None, &Options::default())?;
+///     let (forces, _) = solve_motion(&contact, &motion, None, &Options::default())?;
 ///     assert!(forces.fx > 0.0 && forces.power > 0.0);
 /// }
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn solve_motion<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
@@ -132,23 +132,24 @@ pub fn solve<F: Float>(
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
     let ratio = rolling.speed_by_rolling;
-    let [forward, backward] = rolling.each(contact, ratio, |contact, creepage| match &law {
-        Some(law) => {
-            let FrictionSolution { solution, friction } =
-                friction::solve(contact, creepage, law, options)?;
-            Ok((solution, friction))
-        }
-        None => Ok((forces::forces_of_contact(contact, creepage, options)?, contact.friction)),
-    })?;
-    rolling.solution(&without_law(contact, law.as_ref()), forward, backward)
+    let [forward, backward] =
+        rolling.each_end_of(contact, ratio, |contact, creepage| match &law {
+            Some(law) => {
+                let FrictionSolution { solution, friction } =
+                    friction::solve_with_law(contact, creepage, law, options)?;
+                Ok((solution, friction))
+            }
+            None => Ok((forces::forces_of_contact(contact, creepage, options)?, contact.friction)),
+        })?;
+    rolling.blended(&with_friction_of_law(contact, law.as_ref()), forward, backward)
 }
 
-/// [`solve`] with derivatives with respect to all inputs.
+/// [`solve_motion`] with derivatives with respect to all inputs.
 ///
 /// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit the floating-point
+/// Those of [`solve_motion`]; [`Error::Overflow`] also when a derivative does not fit the floating-point
 /// type.
-pub fn differentiate<F: Float>(
+pub fn differentiate_motion<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,
     law: Option<&SlipFriction<F>>,
@@ -157,21 +158,24 @@ pub fn differentiate<F: Float>(
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
     let differentiate = |contact: &Contact<F>, creepage: &Creepage<F>| {
-        derivatives::differentiate(contact, creepage, law.as_ref(), options)
+        derivatives::differentiate_with_law(contact, creepage, law.as_ref(), options)
     };
-    let ends = |ratio: F| rolling.each(contact, ratio, differentiate);
+    let ends = |ratio: F| rolling.each_end_of(contact, ratio, differentiate);
     let [forward, backward] = ends(rolling.speed_by_rolling)?;
     let by_mismatch = rolling.through_mismatch(contact.mismatch, ends)?;
     let found = |of: &Differentiated<F>| (of.solution, of.friction);
-    let contact = without_law(contact, law.as_ref());
-    let (solution, friction) = rolling.solution(&contact, found(&forward), found(&backward))?;
+    let contact = with_friction_of_law(contact, law.as_ref());
+    let (solution, friction) = rolling.blended(&contact, found(&forward), found(&backward))?;
     let slopes = rolling.slopes(&forward, &backward, by_mismatch);
     Error::Overflow.unless(slopes.entries().all(F::is_finite_number))?;
     Ok((solution, friction, slopes))
 }
 
 /// The contact with the friction of the law, if there is one.
-fn without_law<F: Float>(contact: &Contact<F>, law: Option<&SlipFriction<F>>) -> Contact<F> {
+fn with_friction_of_law<F: Float>(
+    contact: &Contact<F>,
+    law: Option<&SlipFriction<F>>,
+) -> Contact<F> {
     Contact { friction: law.map_or(contact.friction, |law| law.friction), ..*contact }
 }
 
@@ -235,7 +239,7 @@ impl<F: Float> Rolling<F> {
 
     /// [`Self::each_end`] of a contact whose ends have the mismatch `±κ V/V_f`; the argument is
     /// that ratio.
-    fn each<S: Copy>(
+    fn each_end_of<S: Copy>(
         &self,
         contact: &Contact<F>,
         ratio: F,
@@ -259,7 +263,7 @@ impl<F: Float> Rolling<F> {
         }
         let (near, rate) = self.through_ratio();
         let [forward, backward] = ends(near)?;
-        let both = self.both(forward.by_mismatch, backward.by_mismatch);
+        let both = self.both_ends(forward.by_mismatch, backward.by_mismatch);
         Ok(both.map(|entry| entry * rate))
     }
 
@@ -281,17 +285,21 @@ impl<F: Float> Rolling<F> {
 
     /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives with respect to quantities that do
     /// not turn.
-    pub(crate) fn both(&self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3]) -> [F; 3] {
+    pub(crate) fn both_ends(
+        &self,
+        [x, y, z]: [F; 3],
+        [turned_x, turned_y, z_turned]: [F; 3],
+    ) -> [F; 3] {
         [self.mean(x, -turned_x), self.mean(y, -turned_y), self.mean(z, z_turned)]
     }
 
-    fn solution(
+    fn blended(
         &self,
         contact: &Contact<F>,
         (forward, friction): (Solution<F>, F),
         (backward, friction_backward): (Solution<F>, F),
     ) -> Result<(Solution<F>, F), Error> {
-        let [fx, fy, mz] = self.both(forces(&forward), forces(&backward));
+        let [fx, fy, mz] = self.both_ends(forward.components(), backward.components());
         // F · slip; both ends have the same slip.
         let power = self.mean(forward.power, backward.power) * self.speed;
         Error::Overflow.unless(power.is_finite_number())?;
@@ -331,10 +339,11 @@ impl<F: Float> Rolling<F> {
             per_speed(ay, turned(by, one)),
             per_speed(az, turned(bz, -one)),
         ];
-        let by_law = self.both(forward.law.rolling_speed, backward.law.rolling_speed);
+        let by_law = self.both_ends(forward.law.rolling_speed, backward.law.rolling_speed);
         // dF/dV = w' (F₊ − F₋) + (∂F/∂V_f − (∂F/∂slip) slip/V_f) ∂V_f/∂V
         let Motion { slip_x, slip_y, spin_rate, .. } = self.motion;
-        let ([fx, fy, mz], [gx, gy, gz]) = (forces(&forward.solution), forces(&backward.solution));
+        let ([fx, fy, mz], [gx, gy, gz]) =
+            (forward.solution.components(), backward.solution.components());
         let apart = [fx + gx, fy + gy, mz - gz];
         let mut rolling_speed = apart.map(|apart| apart * self.share_slope);
         for ((entry, [x, y, z]), by_law) in rolling_speed.iter_mut().zip(slip).zip(by_law) {
@@ -347,21 +356,16 @@ impl<F: Float> Rolling<F> {
         MotionDerivatives {
             slip,
             rolling_speed,
-            normal_force: self.both(ahead.normal_force, behind.normal_force),
-            load_through_hertz: self.both(ahead.load_through_hertz, behind.load_through_hertz),
-            friction: self.both(ahead.friction, behind.friction),
-            ratio: self.both(forward.law.ratio, backward.law.ratio),
-            decay: self.both(forward.law.decay, backward.law.decay),
-            slope_factor: self.both(forward.law.slope_factor, backward.law.slope_factor),
-            slide_factor: self.both(forward.law.slide_factor, backward.law.slide_factor),
-            layer: self.both(forward.law.layer, backward.law.layer),
+            normal_force: self.both_ends(ahead.normal_force, behind.normal_force),
+            load_through_hertz: self.both_ends(ahead.load_through_hertz, behind.load_through_hertz),
+            friction: self.both_ends(ahead.friction, behind.friction),
+            ratio: self.both_ends(forward.law.ratio, backward.law.ratio),
+            decay: self.both_ends(forward.law.decay, backward.law.decay),
+            slope_factor: self.both_ends(forward.law.slope_factor, backward.law.slope_factor),
+            slide_factor: self.both_ends(forward.law.slide_factor, backward.law.slide_factor),
+            layer: self.both_ends(forward.law.layer, backward.law.layer),
         }
     }
-}
-
-fn forces<F: Float>(solution: &Solution<F>) -> [F; 3] {
-    let Solution { fx, fy, mz, .. } = *solution;
-    [fx, fy, mz]
 }
 
 impl<F: Float> MotionDerivatives<F> {

@@ -45,7 +45,7 @@ pub enum Given<F> {
 }
 
 impl<F> Given<F> {
-    pub(crate) fn value(self) -> F {
+    pub(crate) fn number(self) -> F {
         let (Self::Load(value) | Self::Approach(value)) = self;
         value
     }
@@ -142,7 +142,7 @@ impl<F: Float> Cells<F> {
         equations.make_room(self.list.len());
         let mut across = Across::new();
         for (j, cell) in self.list.iter().enumerate() {
-            across.fill::<Deflection>(&Edges::new(cell), &self.list);
+            across.fill::<Deflection>(&CellEdges::new(cell), &self.list);
             let entries = across.differences().map(|difference| {
                 let WithSlope { value, gradient: [slope] } = difference * cell.half_length;
                 [value, slope]
@@ -153,7 +153,7 @@ impl<F: Float> Cells<F> {
             let [before, after] = cell.coupling;
             for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)] {
                 let [change] = kappa.gradient;
-                equations.couple(i, k, kappa.value, change);
+                equations.add_coupling(i, k, kappa.value, change);
             }
         }
         // (coarse cells may all begin beyond the reach of their zone)
@@ -255,7 +255,7 @@ impl<F: Float> Cells<F> {
         let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
-            across.fill::<Curvature>(&Edges::new(cell), &self.list);
+            across.fill::<Curvature>(&CellEdges::new(cell), &self.list);
             for (sum, difference) in curvatures.iter_mut().zip(across.differences()) {
                 *sum += difference * share;
             }
@@ -270,7 +270,7 @@ impl<F: Float> Cells<F> {
 }
 
 /// The edges of a cell.
-struct Edges<F> {
+struct CellEdges<F> {
     lower: WithSlope<F>,
     upper: WithSlope<F>,
     half_length: F,
@@ -279,7 +279,7 @@ struct Edges<F> {
     scale: F,
 }
 
-impl<F: Float> Edges<F> {
+impl<F: Float> CellEdges<F> {
     fn new(cell: &Cell<F>) -> Self {
         let half = cell.width.times(0.5);
         let a = cell.half_length;
@@ -297,7 +297,7 @@ impl<F: Float> Edges<F> {
     /// Replaces each distance by the value of the function.
     fn all_at<E: StripEdge>(&self, values: &mut [F], slopes: &mut [F]) {
         with_avx!(if 1 => <F: Float, E: StripEdge>(
-            edges: &Edges<F> = self,
+            edges: &CellEdges<F> = self,
             _of: PhantomData<E> = PhantomData::<E>,
             values: &mut [F],
             slopes: &mut [F]
@@ -322,7 +322,7 @@ impl<F: Float> Edges<F> {
             let both = one / (size * (t + one));
             let (w, inverse) = (size * both, (t + one) * both);
             let log = F::ln_quotients(size, self.half_length);
-            let [value, slope] = E::at(t, w, log);
+            let [value, slope] = E::kernel(t, w, log);
             let sign = distance.choose(one, -one);
             // d ln t = d(distance)/distance − da/a
             let relative = sign * moved * inverse - P::all(self.growth);
@@ -354,7 +354,7 @@ impl<F: Float> Across<F> {
     /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
     /// edge is as far as the other's upper edge.
     #[inline(always)]
-    fn fill<E: StripEdge>(&mut self, edges: &Edges<F>, cells: &[Cell<F>]) {
+    fn fill<E: StripEdge>(&mut self, edges: &CellEdges<F>, cells: &[Cell<F>]) {
         let Self { values, slopes, is_lower, count } = self;
         let width = (edges.upper - edges.lower).value;
         let close = width * F::EPSILON.times(256.0);

@@ -3,7 +3,7 @@
 use crate::normal::density::Zones;
 use crate::normal::extremes::{cuts, refined, zero_of};
 use crate::normal::profile::WithSlope;
-use crate::normal::smooth::{Curve, Knot};
+use crate::normal::smooth::{Knot, SmoothedProfile};
 use crate::number::{Arithmetic, Float};
 use crate::numerics::hermite::Cubic;
 
@@ -16,7 +16,7 @@ pub(crate) struct Overlap<F> {
     pub depth: F,
 }
 
-impl<F: Float> Curve<F> {
+impl<F: Float> SmoothedProfile<F> {
     /// Hands every zone where the surfaces overlap to `take`, in ascending order.
     pub(crate) fn overlaps(&self, mut take: impl FnMut(Overlap<F>)) {
         let mut open: Option<Overlap<F>> = None;
@@ -34,10 +34,10 @@ impl<F: Float> Curve<F> {
                 if !(to > from) {
                     continue;
                 }
-                let heights = [from, to].map(|t| cubic.value(WithSlope::from_base(t)).value);
+                let heights = [from, to].map(|t| cubic.value_at(WithSlope::from_base(t)).value);
                 let [begins, ends] = heights.map(|height| height < F::zero());
                 let crossing = |inside: F, outside: F| {
-                    y + zero_of(|t| [cubic.value(t), cubic.slope(t)], inside, outside).value
+                    y + zero_of(|t| [cubic.value_at(t), cubic.slope(t)], inside, outside).value
                 };
                 if ends || begins {
                     let begin = if begins { y + from } else { crossing(to, from) };
@@ -115,7 +115,7 @@ impl<F: Float> Curve<F> {
                 continue;
             }
             let heights = Cubic::over(step, [height, high], [slope, steep]);
-            let exact = |t: WithSlope<F>| of(t + y, heights.value(t), heights.slope(t));
+            let exact = |t: WithSlope<F>| of(t + y, heights.value_at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
             let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
             let ([zero, a, b, _], [_, c, d, length]) =

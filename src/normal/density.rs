@@ -60,7 +60,7 @@ pub(super) struct Stretch<F> {
 
 impl<F: Float> Stretch<F> {
     /// The integral of the density \[m\].
-    pub fn total(&self) -> WithSlope<F> {
+    pub fn integral(&self) -> WithSlope<F> {
         let [one, two] = self.densities;
         (one + two).times(0.5) * (self.to - self.from)
     }

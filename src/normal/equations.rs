@@ -56,7 +56,7 @@ impl<F: Float> Equations<F> {
 
     /// Adds `κ (p_i − p_k)` to the deflection of cell `i`. (Past the last cell there is nothing,
     /// whose pressure is zero.)
-    pub(super) fn couple(&mut self, i: usize, k: usize, kappa: F, change: F) {
+    pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: F, change: F) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (k, sign) in [(i, F::one()), (k, -F::one())] {
             if let (Some(entry), Some(slope)) = (row.influence.get_mut(k), row.slopes.get_mut(k)) {

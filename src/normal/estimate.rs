@@ -14,7 +14,7 @@
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{CellPlace, CellPlaces, layout, lean};
 use crate::normal::profile::WithSlope;
-use crate::normal::smooth::Curve;
+use crate::normal::smooth::SmoothedProfile;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use heapless::Vec;
@@ -33,13 +33,13 @@ pub(super) struct Estimate<F> {
     /// `N/(π E*)` \[m²\]
     pub load: WithSlope<F>,
     /// Edges of the places, in fours.
-    fours: Vec<Edges<F>, FOURS>,
+    fours: Vec<FourEdges<F>, FOURS>,
     breadth: WithSlope<F>,
 }
 
 /// Four edges of places side by side.
 #[derive(Clone, Debug)]
-struct Edges<F> {
+struct FourEdges<F> {
     /// Where they are, and its derivatives \[m\].
     places: [[F; 4]; 2],
     /// What the load per width grows by there, `f q/(π E*)`, and its derivatives \[m\].
@@ -53,7 +53,11 @@ const FOURS: usize = EDGES.div_ceil(4);
 impl<F: Float> Estimate<F> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
     #[inline(never)]
-    pub fn load(curve: &Curve<F>, approach: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
+    pub fn load(
+        curve: &SmoothedProfile<F>,
+        approach: WithSlope<F>,
+        radius: WithSlope<F>,
+    ) -> WithSlope<F> {
         let mut estimate = Self::nothing();
         estimate.fill(curve, approach, |_| radius);
         estimate.load
@@ -70,7 +74,7 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn fill(
         &mut self,
-        curve: &Curve<F>,
+        curve: &SmoothedProfile<F>,
         approach: WithSlope<F>,
         radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
     ) {
@@ -86,13 +90,13 @@ impl<F: Float> Estimate<F> {
         let (mut edges, mut growth) = (Vec::new(), Vec::new());
         for place in &places {
             let q = (level - curve.at(place.at)).max(zero);
-            add(&mut edges, &mut growth, place, q);
+            add_load(&mut edges, &mut growth, place, q);
             load += q * place.width;
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
         }
         for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
-            let _ = self.fours.push(Edges { places: apart(edges), growth: apart(growth) });
+            let _ = self.fours.push(FourEdges { places: apart(edges), growth: apart(growth) });
         }
         let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
         self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
@@ -131,7 +135,7 @@ impl<F: Float> Estimate<F> {
         let ([y_moved], [inverse_moved]) = (y.gradient, inverse.gradient);
         let mut sums = [P::zero(); 4];
         let four = |list: [F; 4]| P::gather(|k| list.get(k).copied().unwrap_or(F::zero()));
-        for Edges { places, growth } in &self.fours {
+        for FourEdges { places, growth } in &self.fours {
             let ([edge, edge_moved], [growth, growth_moved]) = (places.map(four), growth.map(four));
             let distance = P::all(y.value) - edge;
             let x = distance * P::all(inverse.value);
@@ -157,7 +161,7 @@ impl<F: Float> Estimate<F> {
 }
 
 /// Adds the load per width of a place. Neighbours share an edge.
-fn add<F: Float>(
+fn add_load<F: Float>(
     edges: &mut Vec<WithSlope<F>, EDGES>,
     growth: &mut Vec<WithSlope<F>, EDGES>,
     place: &CellPlace<F>,

@@ -17,7 +17,8 @@ pub(super) fn refined<F: Float>(
     let [c0, .., c2, c3] = c.map(|c| c.value);
     let inside = |t: F| t > F::zero() && t < length;
     // (far from zero the sign is known)
-    let (value, scale) = (cubic.value(cut).value, cubic.value(WithSlope::from_base(length)).value);
+    let (value, scale) =
+        (cubic.value_at(cut).value, cubic.value_at(WithSlope::from_base(length)).value);
     if !inside(cut.value) || value.abs() > (c0.abs() + scale.abs()).times(0.2) {
         return cut;
     }

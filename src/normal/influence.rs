@@ -26,7 +26,7 @@ pub(crate) trait StripEdge {
     /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the
     /// logarithm are known.
     #[inline(always)]
-    fn at<T: Arithmetic>(t: T, w: T, log: T) -> [T; 2] {
+    fn kernel<T: Arithmetic>(t: T, w: T, log: T) -> [T; 2] {
         let v = t * w;
         let ([p, p_slope], [q, q_slope]) =
             (with_slope(&Self::PLAIN, v), with_slope(&Self::WITH_LOG, v));

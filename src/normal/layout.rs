@@ -57,7 +57,7 @@ pub(super) fn layout<F: Float>(
     let count = F::widened(count.min(CELLS - ZONES) as f32);
     let (mut total, mut far) = (WithSlope::zero(), F::zero());
     zones.stretches(&mut |_, stretch| {
-        total += stretch.total();
+        total += stretch.integral();
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
     let inverse = WithSlope::from_base(count) / total.shift(F::TINY);
@@ -92,7 +92,7 @@ pub(super) fn layout<F: Float>(
             own = Cut { place: stretch.from, at: begin, zone };
             cell = F::whole(begin.value + least).saturating_add(1);
         }
-        let end = begin + stretch.total() * inverse;
+        let end = begin + stretch.integral() * inverse;
         loop {
             let next = WithSlope::from_base(F::widened(cell as f32));
             if !(next.value < end.value - least) || own.at.value >= next.value {
@@ -150,7 +150,7 @@ pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
         let sides = [-1, 1].map(|step| Beside::new(&known, i, step, reach));
         let own = [place.width, place.share, place.width * place.y];
         let [below, above] = &sides;
-        let [near, share, moment] = sum(&sum(&own, &below.near), &above.near);
+        let [near, share, moment] = added(&added(&own, &below.near), &above.near);
         place.at = moment / near;
         // κ over the part's own width
         let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
@@ -162,7 +162,7 @@ pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
         }
         let by_zone = cell * rest.squared() / share * near * per_width;
         for (k, (side, coupling)) in sides.iter().zip(&mut place.coupling).enumerate() {
-            let [inner, _, _] = sum(&own, if k == 0 { &above.near } else { &below.near });
+            let [inner, _, _] = added(&own, if k == 0 { &above.near } else { &below.near });
             let next = if k == 0 { i.checked_sub(1) } else { Some(i + 1) };
             let Some(next) = next.and_then(|next| known.get(next)) else { continue };
             *coupling = if next.zone == place.zone {
@@ -205,7 +205,7 @@ fn zone_share<F: Float>(
     sum
 }
 
-fn sum<F: Float>(one: &[WithSlope<F>; 3], other: &[WithSlope<F>; 3]) -> [WithSlope<F>; 3] {
+fn added<F: Float>(one: &[WithSlope<F>; 3], other: &[WithSlope<F>; 3]) -> [WithSlope<F>; 3] {
     core::array::from_fn(|k| match (one.get(k), other.get(k)) {
         (Some(one), Some(other)) => *one + *other,
         _ => WithSlope::zero(),
@@ -246,7 +246,7 @@ impl<F: Float> Beside<F> {
             to_next = Some(outer);
             beside.outer += outer * next.width;
             let other = [next.width, next.share, next.width * next.y];
-            beside.near = sum(&beside.near, &other.map(|term| term * nearness));
+            beside.near = added(&beside.near, &other.map(|term| term * nearness));
             k = k.saturating_add_signed(step);
         }
         beside

@@ -4,7 +4,7 @@
 //! 1. **Approach**: a first guess of the approach `δ` and of the contact's width, from the overlap
 //!    of the undeformed bodies when they are shifted by `0.55 δ` ([`Profile`]).
 //! 2. **Smoothing** over a length that follows from this width. Without smoothing the noise of
-//!    measured points would act like asperities (`Curve`).
+//!    measured points would act like asperities (`SmoothedProfile`).
 //! 3. **Estimate** of load and deflection by the least energy (`Estimate`), which gives `δ` again.
 //! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`layout`).
 //! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are
@@ -35,7 +35,7 @@ use crate::normal::outline::Outline;
 pub use crate::normal::profile::Profile;
 use crate::normal::profile::WithSlope;
 pub use crate::normal::profile_contact::ProfileContact;
-use crate::normal::smooth::Curve;
+use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Arithmetic, Float};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
@@ -102,7 +102,7 @@ impl<F: Float> Indentation<F> {
         take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         contact.check(profile.has_radii())?;
-        let value = contact.given.value();
+        let value = contact.given.number();
         if value <= F::zero() {
             return Ok(Self::none(profile));
         }
@@ -126,13 +126,13 @@ impl<F: Float> Indentation<F> {
     /// Those of [`Patch::from_profile`].
     pub(crate) fn of_surfaces(
         profile: &Profile<F>,
-        curve: &Curve<F>,
+        curve: &SmoothedProfile<F>,
         contact: &ProfileContact<F>,
         count: StripCount,
         take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         contact.check(true)?;
-        let approach = WithSlope::input(contact.given.value(), 0);
+        let approach = WithSlope::input(contact.given.number(), 0);
         if approach.value <= F::zero() {
             return Ok(Self::none(profile));
         }
@@ -173,7 +173,7 @@ impl<F: Float> Indentation<F> {
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         let Outline { given, power, iterations, at_end, lowest } = outline;
-        let pressed = solved(cells, power, given);
+        let pressed = solve_pressures(cells, power, given);
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
         let modulus = contact.modulus().times(PI);
@@ -226,7 +226,7 @@ impl<F: Float> Indentation<F> {
 /// Pressures and corrected lengths of the cells; the approach. (Out of line, so that the
 /// equations take no room while the outline is made.)
 #[inline(never)]
-fn solved<F: Float>(
+fn solve_pressures<F: Float>(
     cells: &mut Cells<F>,
     power: WithSlope<F>,
     given: Given<WithSlope<F>>,

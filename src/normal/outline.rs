@@ -8,7 +8,7 @@ use crate::normal::estimate::{Estimate, OVERLAP};
 use crate::normal::layout::{layout, lean};
 use crate::normal::profile::{Profile, WithSlope, invert};
 use crate::normal::profile_contact::ProfileContact;
-use crate::normal::smooth::Curve;
+use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 use core::f64::consts::PI;
@@ -76,7 +76,7 @@ impl<F: Float> Outline<F> {
         };
         let section = profile.section(first, radius);
         let length = contact.smoothing(section.half_width);
-        let mut curve = Curve::new(profile, length, first.times(REACH));
+        let mut curve = SmoothedProfile::new(profile, length, first.times(REACH));
         let radius_there = section.rolling_radius;
         // load and deflection before the normal problem
         let approach = match given {
@@ -115,7 +115,7 @@ impl<F: Float> Outline<F> {
     pub fn with_cells(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        curve: &Curve<F>,
+        curve: &SmoothedProfile<F>,
         (given, approach): (Given<WithSlope<F>>, WithSlope<F>),
         radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
         count: StripCount,
@@ -142,7 +142,7 @@ impl<F: Float> Outline<F> {
 /// and the rolling radius. (Out of line: the estimate need not be kept while the cells are made.)
 #[inline(never)]
 fn touching<F: Float>(
-    curve: &Curve<F>,
+    curve: &SmoothedProfile<F>,
     approach: WithSlope<F>,
     radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
     zones: &mut Zones<F>,

@@ -33,7 +33,7 @@ impl<F: Float> ProfileContact<F> {
     /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::NormalForce`], [`Error::Modulus`],
     /// [`Error::PoissonRatio`], [`Error::Friction`], [`Error::SmoothingLength`].
     pub fn check(&self, has_radii: bool) -> Result<(), Error> {
-        let given = self.given.value();
+        let given = self.given.number();
         let radius = if has_radii { F::one() } else { self.rolling_radius };
         let inputs = [radius, given, self.friction, self.smoothing_length];
         if !inputs.iter().all(|input| input.is_finite_number()) {

@@ -49,7 +49,7 @@ pub(super) struct Knot<F> {
 
 /// The smoothed profile where contact is likely.
 #[derive(Clone, Debug)]
-pub(crate) struct Curve<F> {
+pub(crate) struct SmoothedProfile<F> {
     pub(super) knots: Vec<Knot<F>, KNOTS>,
     /// Its lowest point.
     pub(super) lowest: WithSlope<F>,
@@ -112,7 +112,7 @@ pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
     small / ratio.plus(1.0).sqrt().sqrt()
 }
 
-impl<F: Float> Curve<F> {
+impl<F: Float> SmoothedProfile<F> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
     #[inline(never)]
@@ -127,7 +127,7 @@ impl<F: Float> Curve<F> {
             |knot| [knot.height, knot.slope],
             |_, cubic, length| {
                 for t in cuts(cubic, length) {
-                    lowest = lowest.min(cubic.value(t));
+                    lowest = lowest.min(cubic.value_at(t));
                 }
             },
         );
@@ -376,7 +376,7 @@ impl<F: Float> Curve<F> {
         match self.knots.get(next - 1..=next) {
             Some([knot, end]) => {
                 let ([from, height, slope], [to, high, steep]) = (self.knot(knot), self.knot(end));
-                Cubic::over(to - from, [height, high], [slope, steep]).value(y - from)
+                Cubic::over(to - from, [height, high], [slope, steep]).value_at(y - from)
             }
             _ => WithSlope::from_base(F::zero()),
         }

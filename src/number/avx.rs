@@ -42,7 +42,7 @@ pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debu
 /// Whether there are registers of 256 bits.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline]
-pub(crate) fn has_avx() -> bool {
+pub fn has_avx() -> bool {
     #[cfg(target_arch = "x86_64")]
     return x86::has_avx();
     #[cfg(not(target_arch = "x86_64"))]

@@ -188,12 +188,12 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
 
 impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
     #[inline(always)]
-    fn of(first: Dual<F, M>, second: Dual<F, M>) -> Self {
+    fn couple(first: Dual<F, M>, second: Dual<F, M>) -> Self {
         let mut gradient = [F::Pair::zero(); M];
         for (pair, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
-            *pair = F::Pair::of(*d, e);
+            *pair = F::Pair::couple(*d, e);
         }
-        Self { value: F::Pair::of(first.value, second.value), gradient }
+        Self { value: F::Pair::couple(first.value, second.value), gradient }
     }
     #[inline(always)]
     fn parts(self) -> (Dual<F, M>, Dual<F, M>) {

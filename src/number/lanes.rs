@@ -178,7 +178,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
 
 impl<T: Real<Pair = Self>> Pair<T> for Lanes<T, 2> {
     #[inline]
-    fn of(first: T, second: T) -> Self {
+    fn couple(first: T, second: T) -> Self {
         Self([first, second], [])
     }
     #[inline]
@@ -199,7 +199,7 @@ pub type F32Pair = Lanes<f32, 2>;
 #[cfg(target_arch = "x86_64")]
 impl Pair<f32> for Lanes<f32, 4> {
     #[inline]
-    fn of(first: f32, second: f32) -> Self {
+    fn couple(first: f32, second: f32) -> Self {
         Self([first, second, 1.0, 1.0], [])
     }
     #[inline]

@@ -125,7 +125,7 @@ pub(crate) fn reverse<T>(mut slice: &mut [T]) {
 
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
-pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {
+pub(crate) fn choose_each<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {
     for (no, yes) in no.iter_mut().zip(yes) {
         *no = by.choose(yes, *no);
     }
@@ -138,7 +138,7 @@ pub(crate) fn chosen<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; 
 /// caller.)
 macro_rules! branch_or_blend {
     ($by:expr, $yes:block, $no:block) => {{
-        use crate::number::{Real as _, chosen};
+        use crate::number::{Real as _, choose_each};
         let by = $by;
         let some = by.exceeds(T::zero());
         if T::LANES == 1 {
@@ -147,7 +147,7 @@ macro_rules! branch_or_blend {
             let all = by.value().lies_between(T::TINY, T::LARGEST);
             let yes = if some { $yes } else { [T::zero(); _] };
             let no = if all { [T::zero(); _] } else { $no };
-            chosen(by, yes, no)
+            choose_each(by, yes, no)
         }
     }};
 }

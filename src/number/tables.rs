@@ -9,7 +9,7 @@ use super::traits::{Number, Real, Strips};
 macro_rules! table {
     ($F:ty, $constants:expr) => {
         <<$F as crate::number::Real>::Stored as crate::number::Float>::table(
-            const { &crate::number::tables::narrow(&$constants) },
+            const { &crate::number::tables::to_single(&$constants) },
             const { &$constants },
         )
     };
@@ -17,7 +17,9 @@ macro_rules! table {
 pub(crate) use table;
 
 /// In single precision.
-pub(crate) const fn narrow<const R: usize, const C: usize>(table: &[[f64; C]; R]) -> [[f32; C]; R] {
+pub(crate) const fn to_single<const R: usize, const C: usize>(
+    table: &[[f64; C]; R],
+) -> [[f32; C]; R] {
     let mut narrow = [[0.0; C]; R];
     let mut i = 0;
     while i < R * C {
@@ -39,7 +41,7 @@ pub(crate) const fn widen<const R: usize, const C: usize>(table: &[[f32; C]; R])
 }
 
 /// Rows of couples as rows of numbers, `C = 2 P` in each, in double precision.
-pub(crate) const fn rows<const R: usize, const P: usize, const C: usize>(
+pub(crate) const fn couples_as_rows<const R: usize, const P: usize, const C: usize>(
     table: &[[[f32; 2]; P]; R],
 ) -> [[f64; C]; R] {
     let mut rows = [[0.0; C]; R];

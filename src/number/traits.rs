@@ -241,13 +241,13 @@ pub(crate) type Stored<T> = <<T as Number>::Base as Real>::Stored;
 /// Two numbers side by side.
 pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {
     /// Put two numbers side by side.
-    fn of(first: T, second: T) -> Self;
+    fn couple(first: T, second: T) -> Self;
     /// Separate them.
     fn parts(self) -> (T, T);
     /// The same number twice.
     #[inline(always)]
     fn both(x: T) -> Self {
-        Self::of(x, x)
+        Self::couple(x, x)
     }
     /// Both multiplied by a plain number.
     #[inline(always)]

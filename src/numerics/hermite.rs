@@ -23,7 +23,7 @@ impl<T: Arithmetic> Cubic<T> {
     /// ```
     /// use kstrip::numerics::Cubic;
     /// let cubic = Cubic::new([0.0, 1.0], [0.0, 3.0]);
-    /// assert_eq!(cubic.value(0.5), 0.125);
+    /// assert_eq!(cubic.value_at(0.5), 0.125);
     /// let middle = cubic.along(0.5);
     /// assert_eq!([middle.value, middle.slope, middle.bend], [0.125, 0.75, 3.0]);
     /// ```
@@ -44,7 +44,7 @@ impl<T: Arithmetic> Cubic<T> {
 
     /// Its value.
     #[inline]
-    pub fn value(&self, u: T) -> T {
+    pub fn value_at(&self, u: T) -> T {
         let Self([c0, c1, c2, c3]) = *self;
         c0 + u * (c1 + u * (c2 + u * c3))
     }

@@ -11,7 +11,7 @@ pub(super) struct Extremes<F> {
 }
 
 impl<F: Float> Extremes<F> {
-    pub(super) fn of(strips: &[PatchStrip<F>]) -> Self {
+    pub(super) fn new(strips: &[PatchStrip<F>]) -> Self {
         let (least, most) = ([F::LARGEST; 6], [-F::LARGEST; 6]);
         let mut own = Self { least, most, sum: [F::zero(); 6] };
         for strip in strips {

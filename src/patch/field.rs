@@ -5,7 +5,7 @@ use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
 use crate::number::Float;
 use crate::patch::shares::{Seen, ZoneLaw};
-use crate::patch::slip::{PatchSlip, rigid_slip, seen_from};
+use crate::patch::slip::{PatchSlip, largest_rigid_slip, seen_from};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -43,7 +43,7 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// Prepare the field.
     ///
     /// # Errors
-    /// Those of [`solve`](super::solver::solve); [`Error::NotInModel`] for [`Model::Total`];
+    /// Those of [`solve`](super::solver::solve_patch); [`Error::NotInModel`] for [`Model::Total`];
     /// [`Error::Overflow`] also when the dissipation of a point may not fit the floating-point
     /// type.
     pub fn new(
@@ -58,7 +58,7 @@ impl<'a, F: Float> PatchField<'a, F> {
             .strips()
             .iter()
             .fold(F::zero(), |most, strip| most.max(strip.friction * strip.peak_pressure));
-        let slip = rigid_slip(creepage, patch.sizes().reach).times(8.0);
+        let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
         if !(traction * slip).is_finite_number() {
             return Err(Error::Overflow);
         }

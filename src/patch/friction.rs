@@ -45,18 +45,18 @@ pub struct PatchFrictionSolution<F> {
 
 /// Forces of a patch whose friction falls with the slip.
 ///
-/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve`] to the
+/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve_patch`] to the
 /// bit and costs no more.
 ///
 /// # Errors
-/// Those of [`solver::solve`] and [`SlipFriction::check`]; `law.friction` is ignored.
+/// Those of [`solver::solve_patch`] and [`SlipFriction::check`]; `law.friction` is ignored.
 ///
 /// # Example
 /// A patch that slips more pulls less:
 /// ```
 /// use kstrip::contact::{Contact, creepage::Creepage};
 /// use kstrip::{friction::SlipFriction, forces::Model};
-/// use kstrip::{patch::Patch, patch::friction::solve, contact::totals::StripCount};
+/// use kstrip::{patch::Patch, patch::friction::solve_patch_with_law, contact::totals::StripCount};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -69,12 +69,12 @@ pub struct PatchFrictionSolution<F> {
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
-///     solve(&patch.view()?, &creepage, &wet, Model::Strip).map(|found| found.solution.fx)
+///     solve_patch_with_law(&patch.view()?, &creepage, &wet, Model::Strip).map(|found| found.solution.fx)
 /// };
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn solve_patch_with_law<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: &SlipFriction<F>,
@@ -131,8 +131,8 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     ) -> Result<Self, Error> {
         let law = SlipFriction { friction: F::one(), ..*law };
         law.check()?;
-        let rigid_slip = solver::check(patch, creepage, model)?;
-        if patch.shear_modulus() * law.stiffness() <= F::zero() {
+        let rigid_slip = solver::check_patch(patch, creepage, model)?;
+        if patch.shear_modulus() * law.slope_or_one() <= F::zero() {
             return Err(Error::Modulus);
         }
         let behind = law.has_interface().then(|| {
@@ -158,7 +158,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 
     /// `k c/λ` and `k κ/λ`; where `λ` vanishes, creepages so large that the whole patch slides.
     fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
-        let factor = self.law.stiffness() / share;
+        let factor = self.law.slope_or_one() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
         let creepage = self.creepage.scaled(factor);
@@ -196,15 +196,15 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 /// without slip.
 ///
 /// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative does not fit.
-pub fn differentiate<F: Float>(
+/// Those of [`solve_patch_with_law`]; [`Error::Overflow`] also when a derivative does not fit.
+pub fn differentiate_patch<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
     model: Model,
 ) -> Result<Differentiated<F>, Error> {
     let (load, bound) = (patch.normal_force(), patch.friction_bound());
-    let clean = SlipFriction::constant(F::one());
+    let clean = SlipFriction::of_constant(F::one());
     let given = law.unwrap_or(&clean);
     let problem = FrictionProblem::new(patch, creepage, given, model)?;
     let (share, warning) = match law {
@@ -213,7 +213,7 @@ pub fn differentiate<F: Float>(
     };
     let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
     let (found, slopes, of_layer) =
-        solver::solve_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
+        solver::patch_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
@@ -319,7 +319,7 @@ pub(crate) struct Visited<F: Float> {
 /// Passes the forces of every strip, with derivatives, to `visit`.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve_patch_with_law`].
 pub(crate) fn each_strip<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
@@ -327,7 +327,7 @@ pub(crate) fn each_strip<F: Float>(
     (model, by): (Model, Option<By>),
     visit: &mut dyn FnMut(usize, &AtStrip<F>),
 ) -> Result<Visited<F>, Error> {
-    let clean = SlipFriction::constant(F::one());
+    let clean = SlipFriction::of_constant(F::one());
     let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&clean), model)?;
     let (share, warning) = problem.agreement()?;
     let Scaled { patch, creepage, factor } = problem.scaled(share)?;
@@ -391,12 +391,12 @@ pub(crate) fn each_strip<F: Float>(
     Ok(Visited { share, bound, law, falls, warning })
 }
 
-/// Passes every strip of the solution at a share `λ` of friction to `visit`, as [`solver::strips`]
+/// Passes every strip of the solution at a share `λ` of friction to `visit`, as [`solver::patch_strips`]
 /// does.
 ///
 /// # Errors
-/// Those of [`solve`].
-pub fn strips<F: Float>(
+/// Those of [`solve_patch_with_law`].
+pub fn patch_strips_with_law<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -405,7 +405,7 @@ pub fn strips<F: Float>(
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
     let Some(law) = law else {
-        return solver::strips(patch, creepage, model, visit);
+        return solver::patch_strips(patch, creepage, model, visit);
     };
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
     let Scaled { patch, creepage, factor } = problem.scaled(share)?;

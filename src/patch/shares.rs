@@ -64,13 +64,13 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     slip: &PatchSlip<T>,
     visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
 ) {
-    let QuadratureScale { area, lever } = view.scale();
+    let QuadratureScale { area, lever } = view.quadrature();
     let (mut known, mut last): (Option<ZoneLaw<F>>, Option<Seen<T>>) = (None, None);
     let of_patch = view.sizes().widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
         let alternates = of_patch.alternation > F::zero();
-        let widths = if alternates && !is_whole { Widths::of(lobe) } else { of_patch };
+        let widths = if alternates && !is_whole { Widths::of_strips(lobe) } else { of_patch };
         let count = lobe.len();
         let mut in_lobe = false;
         let alternating = widths.alternation.times(0.5);

@@ -210,6 +210,6 @@ pub(super) fn seen_from<T: Number>(
 }
 
 /// Upper bound of the rigid slip of all points within reach.
-pub(super) fn rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
+pub(super) fn largest_rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
     creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
 }

@@ -15,7 +15,7 @@
 //!   smooth, and gives neither strips nor fields.
 //!
 //! [`Model::Linear`] holds for ellipses only. The linear theory of a patch is the derivative of
-//! [`Model::Strip`] at zero creepage: [`solve_jacobian`].
+//! [`Model::Strip`] at zero creepage: [`patch_jacobian`].
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
@@ -32,7 +32,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
-    PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, rigid_slip, seen_from,
+    PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
 };
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
@@ -54,15 +54,15 @@ fn most_strain<F: Float>(view: &PatchView<F>) -> F {
     view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
 }
 
-/// Checks the inputs of [`solve`] without solving; returns an upper bound of the rigid slip.
-pub(crate) fn check<F: Float>(
+/// Checks the inputs of [`solve_patch`] without solving; returns an upper bound of the rigid slip.
+pub(crate) fn check_patch<F: Float>(
     view: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<F, Error> {
     Problem::new(view, creepage, model)?;
     let [own, _] = view.most_own();
-    Ok(rigid_slip(creepage, view.sizes().reach) + own + most_strain(view))
+    Ok(largest_rigid_slip(creepage, view.sizes().reach) + own + most_strain(view))
 }
 
 /// A patch, a creepage and a model that fit together.
@@ -85,7 +85,7 @@ impl<'a, F: Float> Problem<'a, F> {
         }
         let reach = view.sizes().reach;
         let [own, _] = view.most_own();
-        let slip = rigid_slip(creepage, reach) + own + most_strain(view);
+        let slip = largest_rigid_slip(creepage, reach) + own + most_strain(view);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
         if results.iter().all(|result| result.is_finite_number()) {
@@ -286,7 +286,7 @@ impl<F: Float> Problem<'_, F> {
         sums
     }
 
-    fn solution(&self, [fx, fy, mz, power]: [F; 4], stick: F, area: F) -> Solution<F> {
+    fn solution_of_patch(&self, [fx, fy, mz, power]: [F; 4], stick: F, area: F) -> Solution<F> {
         Solution {
             fx,
             fy,
@@ -316,7 +316,7 @@ impl<F: Float> Problem<'_, F> {
 /// ```
 /// use kstrip::contact::{Contact, creepage::Creepage, totals::StripCount};
 /// use kstrip::forces::Model;
-/// use kstrip::{patch::Patch, patch::solver::solve};
+/// use kstrip::{patch::Patch, patch::solver::solve_patch};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
@@ -324,15 +324,15 @@ impl<F: Float> Problem<'_, F> {
 /// };
 /// let mut patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let creepage = Creepage { longitudinal: 3e-3, lateral: 0.0, spin: 0.0 };
-/// let dry = solve(&patch.view()?, &creepage, Model::Strip)?;
+/// let dry = solve_patch(&patch.view()?, &creepage, Model::Strip)?;
 /// for strip in patch.strips.iter_mut().filter(|strip| strip.y > 1.3e-3) {
 ///     strip.friction = 0.05;
 /// }
-/// let greasy = solve(&patch.view()?, &creepage, Model::Strip)?;
+/// let greasy = solve_patch(&patch.view()?, &creepage, Model::Strip)?;
 /// assert!(greasy.fx < dry.fx && greasy.mz > 0.0);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
-pub fn solve<F: Float>(
+pub fn solve_patch<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -340,10 +340,10 @@ pub fn solve<F: Float>(
     solve_behind(patch, creepage, model, None)
 }
 
-/// [`solve`] behind a layer.
+/// [`solve_patch`] behind a layer.
 ///
 /// # Errors
-/// Those of [`solve`].
+/// Those of [`solve_patch`].
 #[inline]
 pub(super) fn solve_behind<F: Float>(
     patch: &PatchView<F>,
@@ -354,26 +354,26 @@ pub(super) fn solve_behind<F: Float>(
     let problem = Problem::new(patch, creepage, model)?;
     let PatchSums { fx, fy, mz, power, stick, area } =
         problem.sums(&PatchSlip::new(creepage, behind));
-    Ok(problem.solution([fx, fy, mz, power], stick, area))
+    Ok(problem.solution_of_patch([fx, fy, mz, power], stick, area))
 }
 
 /// Forces and their exact derivatives with respect to the creepages.
 ///
 /// # Errors
-/// Those of [`solve`]; [`Error::Overflow`] also when a derivative is too large.
-pub fn solve_jacobian<F: Float>(
+/// Those of [`solve_patch`]; [`Error::Overflow`] also when a derivative is too large.
+pub fn patch_jacobian<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, slopes, _) = solve_with_slopes(patch, creepage, model, None)?;
+    let (solution, slopes, _) = patch_with_slopes(patch, creepage, model, None)?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
 
 /// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
 /// results for other derivatives.
-pub(super) fn solve_with_slopes<F: Float>(
+pub(super) fn patch_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -424,7 +424,7 @@ pub(super) fn solve_with_slopes<F: Float>(
     let values = [fx, fy, mz, power].map(|sum| sum.value);
     let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
     if jacobian.iter().flatten().chain(others).all(|entry| entry.is_finite_number()) {
-        Ok((problem.solution(values, stick, area), slopes, of_layer))
+        Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer))
     } else {
         Err(Error::Overflow)
     }
@@ -462,11 +462,11 @@ pub(super) fn slopes_besides<F: Float>(
 }
 
 /// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the
-/// totals of [`solve`].
+/// totals of [`solve_patch`].
 ///
 /// # Errors
-/// Those of [`solve`]; [`Error::NotInModel`] for [`Model::Total`].
-pub fn strips<F: Float>(
+/// Those of [`solve_patch`]; [`Error::NotInModel`] for [`Model::Total`].
+pub fn patch_strips<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
@@ -475,10 +475,10 @@ pub fn strips<F: Float>(
     strips_behind(patch, creepage, model, None, visit)
 }
 
-/// [`strips`] behind a layer.
+/// [`patch_strips`] behind a layer.
 ///
 /// # Errors
-/// Those of [`strips`].
+/// Those of [`patch_strips`].
 pub(super) fn strips_behind<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,

@@ -4,7 +4,7 @@ use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::patch::extremes::Extremes;
-use crate::patch::slip::rigid_slip;
+use crate::patch::slip::largest_rigid_slip;
 use crate::patch::zones::{Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
@@ -56,7 +56,7 @@ impl<'a, F: Float> PatchView<'a, F> {
                 return Err(Error::Overflow);
             }
         }
-        let extremes = Extremes::of(strips);
+        let extremes = Extremes::new(strips);
         let are_usual = extremes.are_usual();
         if !are_usual {
             for strip in strips {
@@ -167,7 +167,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// Upper bounds of the rigid slip of these creepages within reach, and of their spin.
     pub(super) fn most_own(&self) -> [F; 2] {
         (0..self.own.len()).filter_map(|i| self.own(i)).fold([F::zero(); 2], |[slip, spin], own| {
-            [slip.max(rigid_slip(&own, self.sizes.reach)), spin.max(own.spin.abs())]
+            [slip.max(largest_rigid_slip(&own, self.sizes.reach)), spin.max(own.spin.abs())]
         })
     }
 
@@ -197,11 +197,11 @@ impl<'a, F: Float> PatchView<'a, F> {
 
     /// Factors of the quadrature.
     #[must_use]
-    pub fn scale(&self) -> QuadratureScale<F> {
+    pub fn quadrature(&self) -> QuadratureScale<F> {
         self.scale
     }
 
-    pub(crate) fn whole(&self) -> Option<&Zone<F>> {
+    pub(crate) fn whole_zone(&self) -> Option<&Zone<F>> {
         self.whole.as_ref()
     }
 
@@ -230,19 +230,19 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// Normal force `N` \[N\].
     #[must_use]
     pub fn normal_force(&self) -> F {
-        sum(self.strips, PatchStrip::load)
+        sum_of(self.strips, PatchStrip::load)
     }
 
     /// `Σ μ N` \[N\]: no tangential force exceeds it.
     #[must_use]
     pub fn friction_bound(&self) -> F {
-        sum(self.strips, PatchStrip::friction_bound)
+        sum_of(self.strips, PatchStrip::friction_bound)
     }
 
     /// Contact area `Σ 2 l w` \[m²\].
     #[must_use]
     pub fn area(&self) -> F {
-        sum(self.strips, |strip| strip.half_length.times(2.0) * strip.width)
+        sum_of(self.strips, |strip| strip.half_length.times(2.0) * strip.width)
     }
 
     /// The parts of the patch that gaps separate, in ascending `y`.
@@ -262,6 +262,6 @@ impl<'a, F: Float> PatchView<'a, F> {
     }
 }
 
-fn sum<F: Float>(strips: &[PatchStrip<F>], term: impl Fn(&PatchStrip<F>) -> F) -> F {
+fn sum_of<F: Float>(strips: &[PatchStrip<F>], term: impl Fn(&PatchStrip<F>) -> F) -> F {
     strips.iter().fold(F::zero(), |sum, strip| sum + term(strip))
 }

@@ -194,7 +194,7 @@ impl<F: Float> PatchView<'_, F> {
 
     /// The first known zone of a list.
     pub(crate) fn find_zone<R>(&self, of: impl Fn(&Zone<F>) -> Option<R>) -> Option<R> {
-        match self.whole() {
+        match self.whole_zone() {
             Some(zone) => of(zone),
             None => self.zones().find_map(|zone| of(&zone)),
         }
@@ -211,7 +211,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of the strip with this index; `None` beyond the last.
     #[must_use]
     pub fn zone(&self, number: usize) -> Option<Zone<F>> {
-        match self.whole() {
+        match self.whole_zone() {
             Some(zone) => (number < self.strips().len()).then_some(*zone),
             None => self.zone_around(number),
         }
@@ -317,7 +317,7 @@ pub(crate) struct Widths<F> {
 }
 
 impl<F: Float> Widths<F> {
-    pub(crate) fn of(strips: &[PatchStrip<F>]) -> Self {
+    pub(crate) fn of_strips(strips: &[PatchStrip<F>]) -> Self {
         Self::new(strips, strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width)))
     }
 

@@ -23,7 +23,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{self, Derivatives};
 use crate::forces::{self, Model, Options};
-use crate::friction::derivatives::differentiate;
+use crate::friction::derivatives::differentiate_with_law;
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite, length};
 use crate::numerics::bracket::root;
@@ -112,7 +112,7 @@ pub fn creepage_for_force_under<F: Float>(
     let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
     match law {
         None => forces::check(contact, &none, options)?,
-        Some(law) => friction::check(contact, &none, law, options)?,
+        Some(law) => friction::check_with_law(contact, &none, law, options)?,
     }
     let contact = &law.map_or(*contact, |law| Contact { friction: law.friction, ..*contact });
     let [fx, fy] = force;
@@ -212,7 +212,7 @@ impl<F: Float> Iterate<F> {
     }
 }
 
-fn times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
+fn rows_times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
     rows.map(|[by_x, by_y]| by_x * x + by_y * y)
 }
 
@@ -230,7 +230,7 @@ impl<'a, F: Float> Aim<'a, F> {
         // about as soft as the law makes it
         let factor = law.map_or(F::one(), |law| {
             let layer = law.interface(shear_modulus, a).layer;
-            law.stiffness() / layer.times(1.6).plus(1.0)
+            law.slope_or_one() / layer.times(1.6).plus(1.0)
         });
         let stiffness = shear_modulus * a * b * factor;
         let unit = if saturates {
@@ -252,9 +252,10 @@ impl<'a, F: Float> Aim<'a, F> {
         self.solved += 1;
         let creepage = self.creepage(at);
         let (solution, slopes) = match self.law {
-            None => derivatives::solve(self.contact, &creepage, self.options)?,
+            None => derivatives::forces_and_derivatives(self.contact, &creepage, self.options)?,
             Some(_) => {
-                let found = differentiate(self.contact, &creepage, self.law, self.options)?;
+                let found =
+                    differentiate_with_law(self.contact, &creepage, self.law, self.options)?;
                 (found.solution, found.derivatives)
             }
         };
@@ -268,7 +269,7 @@ impl<'a, F: Float> Aim<'a, F> {
             let ([wanted_x, wanted_y], _) = unsaturated(self.target);
             let [[xx, xy], [yx, yy]] = rows;
             let columns = [[xx, yx], [xy, yy]];
-            ([x - wanted_x, y - wanted_y], [times(&columns, of_x), times(&columns, of_y)])
+            ([x - wanted_x, y - wanted_y], [rows_times(&columns, of_x), rows_times(&columns, of_y)])
         } else {
             ([force[0] - to_x, force[1] - to_y], rows)
         };
@@ -327,10 +328,11 @@ impl<'a, F: Float> Aim<'a, F> {
                 let along = |[x, y]: [F; 2]| (x * error[0] + y * error[1]) / off;
                 let beyond = along(next.error);
                 if beyond < F::zero() {
-                    let slopes = [place.slopes, next.slopes].map(|rows| along(times(&rows, step)));
+                    let slopes =
+                        [place.slopes, next.slopes].map(|rows| along(rows_times(&rows, step)));
                     let cubic = Cubic::new([off, beyond], slopes);
                     let between = Bracket { negative: F::one(), positive: F::zero() };
-                    let shorter = root(between, |t| [cubic.value(t), cubic.slope(t)]);
+                    let shorter = root(between, |t| [cubic.value_at(t), cubic.slope(t)]);
                     share = share * shorter.clamped(F::constant(0.05), F::constant(0.95));
                 } else if closer {
                     share = share.times(0.5);
@@ -386,8 +388,8 @@ fn bent<F: Float>(
     let less = |[a, b]: [F; 2], [c, d]: [F; 2]| [a - c, b - d];
     let back = less(before.at, place.at);
     let grown = less(before.error, place.error);
-    let here = less(times(&place.slopes, back), grown);
-    let there = less(times(&before.slopes, back), grown);
+    let here = less(rows_times(&place.slopes, back), grown);
+    let there = less(rows_times(&before.slopes, back), grown);
     // J⁻¹ c₂ and J⁻¹ c₃
     let second = solve([-here[0].times(2.0) - there[0], -here[1].times(2.0) - there[1]]);
     let third = solve([here[0] + there[0], here[1] + there[1]]);

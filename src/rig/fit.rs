@@ -16,7 +16,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::Options;
-use crate::friction::derivatives::{Differentiated, differentiate};
+use crate::friction::derivatives::{Differentiated, differentiate_with_law};
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
@@ -92,7 +92,7 @@ pub type Fitted = [bool; 6];
 /// for and has no start (zero) begins at a usual one.
 ///
 /// # Errors
-/// Those of [`differentiate`], of a point with its number; [`Error::Measured`], [`Error::Weight`],
+/// Those of [`differentiate_with_law`], of a point with its number; [`Error::Measured`], [`Error::Weight`],
 /// [`Error::FewPoints`], [`Error::FitParameters`]. Errors of the contact and the law have the count
 /// of the points instead of a number.
 pub fn fit_friction<F: Float>(
@@ -139,14 +139,14 @@ impl<F: Float> MeasuredForce<F> {
     }
 
     /// The forces that were measured.
-    fn forces(&self) -> [Option<F>; 2] {
+    fn measured_forces(&self) -> [Option<F>; 2] {
         [(1, self.fx), (2, self.fy)].map(|(bit, force)| (self.measured & bit != 0).then_some(force))
     }
 
     fn check(&self) -> Result<(), Error> {
         let Self { longitudinal, lateral, spin, weight, .. } = *self;
         Error::NotFinite.unless(are_finite(&[longitudinal, lateral, spin, weight]))?;
-        let forces = self.forces();
+        let forces = self.measured_forces();
         let finite = forces.iter().flatten().all(|force| force.is_finite_number());
         Error::NotFinite.unless(finite)?;
         Error::Measured.unless(self.measured >= 1 && self.measured <= 3)?;
@@ -187,8 +187,9 @@ impl<'a, F: Float> Fit<'a, F> {
         for (i, point) in points.iter().enumerate() {
             point.check().map_err(|error| (i, error))?;
             let creepage = point.creepage();
-            friction::check(contact, &creepage, start, options).map_err(|error| (i, error))?;
-            for force in point.forces().into_iter().flatten() {
+            friction::check_with_law(contact, &creepage, start, options)
+                .map_err(|error| (i, error))?;
+            for force in point.measured_forces().into_iter().flatten() {
                 if point.weight > zero {
                     count += 1;
                     weights += point.weight;
@@ -255,8 +256,9 @@ impl<'a, F: Float> Fit<'a, F> {
             if point.weight <= zero {
                 continue;
             }
-            let found = differentiate(self.contact, &point.creepage(), Some(&law), self.options)
-                .map_err(|error| (i, error))?;
+            let found =
+                differentiate_with_law(self.contact, &point.creepage(), Some(&law), self.options)
+                    .map_err(|error| (i, error))?;
             let Differentiated { solution, derivatives, law: by, .. } = found;
             let columns = [
                 derivatives.friction,
@@ -266,7 +268,7 @@ impl<'a, F: Float> Fit<'a, F> {
                 by.slide_factor,
                 by.layer,
             ];
-            let [fx, fy] = point.forces();
+            let [fx, fy] = point.measured_forces();
             for (measured, computed, row) in [
                 (fx, solution.fx, columns.map(|[x, ..]| x)),
                 (fy, solution.fy, columns.map(|[_, y, _]| y)),
@@ -294,7 +296,7 @@ impl<'a, F: Float> Fit<'a, F> {
         let (mut steps, mut settled) = (1, false);
         while steps < MOST && !settled {
             let free = self.free(&at, &sums);
-            let Some(inverse) = sums.inverse(&free, damping) else {
+            let Some(inverse) = sums.inverted(&free, damping) else {
                 damping = damping.times(GROWS);
                 settled = damping > most;
                 continue;
@@ -347,7 +349,7 @@ impl<'a, F: Float> Fit<'a, F> {
         let presumed = self.squares / number(self.count) * F::of(PRESUMED * PRESUMED);
         let mut errors = [zero; 6];
         let mut tells = true;
-        match sums.inverse(&free, zero) {
+        match sums.inverted(&free, zero) {
             None => tells = false,
             Some(inverse) => {
                 for (i, ((error, row), free)) in
@@ -366,7 +368,7 @@ impl<'a, F: Float> Fit<'a, F> {
         for (error, unit) in errors.iter_mut().zip(self.units) {
             *error = (*error * unit).min(F::HUGE);
         }
-        let nothing = SlipFriction { ratio: zero, ..SlipFriction::constant(zero) };
+        let nothing = SlipFriction { ratio: zero, ..SlipFriction::of_constant(zero) };
         let warning = if !settled {
             Warning::NotConverged
         } else if !tells {
@@ -398,7 +400,7 @@ impl<F: Float> Sums<F> {
 
     /// The inverse of the damped normal equations of free parameters, zero for the others; none
     /// where they are singular.
-    fn inverse(&self, free: &Fitted, damping: F) -> Option<[[F; 6]; 6]> {
+    fn inverted(&self, free: &Fitted, damping: F) -> Option<[[F; 6]; 6]> {
         let (zero, one) = (F::zero(), F::one());
         // in units that make the diagonal one
         let mut scale = [zero; 6];

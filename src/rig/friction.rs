@@ -6,7 +6,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives;
 use crate::forces::{self, Model, Options, Solution};
-use crate::friction::derivatives::differentiate_checked;
+use crate::friction::derivatives::differentiate_with_law_checked;
 use crate::friction::{self, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::numerics::Bracket;
@@ -132,11 +132,11 @@ impl<'a, F: Float> Rig<'a, F> {
             None => forces::check(contact, creepage, options),
             Some(law) => {
                 let law = SlipFriction { friction: contact.friction, ..*law };
-                friction::check(contact, creepage, &law, options)
+                friction::check_with_law(contact, creepage, &law, options)
             }
         };
         check(&contact)?;
-        let target = measured.of([fx, fy]);
+        let target = measured.component([fx, fy]);
         let used = target.abs() / contact.normal_force;
         Error::Unexplained.unless(!contact.is_lost() && used.is_finite_number())?;
         // 4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|), about the force of linear theory
@@ -157,7 +157,7 @@ impl<'a, F: Float> Rig<'a, F> {
     fn without_force(&self) -> Result<FrictionEstimate<F>, Error> {
         // What a little friction gives, in units of itself: the direction of full sliding
         let (_, [x, y, _], _) = self.solve(F::zero())?;
-        let direction = self.measured.of([x, y]);
+        let direction = self.measured.component([x, y]);
         let mut found = self.at_least();
         if direction != F::zero() {
             found.warning = Warning::None;
@@ -182,11 +182,13 @@ impl<'a, F: Float> Rig<'a, F> {
     fn solve(&self, friction: F) -> Result<(Solution<F>, [F; 3], F), Error> {
         let contact = Contact { friction, ..self.contact };
         let Some(law) = self.law else {
-            let (solution, slopes) = derivatives::solve(&contact, self.creepage, self.options)?;
+            let (solution, slopes) =
+                derivatives::forces_and_derivatives(&contact, self.creepage, self.options)?;
             return Ok((solution, slopes.friction, friction));
         };
         let law = SlipFriction { friction, ..*law };
-        let found = differentiate_checked(&contact, self.creepage, Some(&law), self.options)?;
+        let found =
+            differentiate_with_law_checked(&contact, self.creepage, Some(&law), self.options)?;
         Ok((found.solution, found.derivatives.friction, found.friction))
     }
 
@@ -196,7 +198,7 @@ impl<'a, F: Float> Rig<'a, F> {
         self.solved += 1;
         let (solution, [by_x, by_y, _], _) = self.solve(friction)?;
         let Solution { fx: x, fy: y, .. } = solution;
-        let force = self.measured.of([x, y]);
+        let force = self.measured.component([x, y]);
         let over = force + F::TINY;
         let slope = match self.measured {
             Measured::Fx => by_x,
@@ -252,7 +254,7 @@ impl<'a, F: Float> Rig<'a, F> {
         };
         let [fx, fy] = force;
         let (solution, [_, slope]) = self.force(friction)?;
-        let residual = self.measured.of([solution.fx - fx, solution.fy - fy]).abs();
+        let residual = self.measured.component([solution.fx - fx, solution.fy - fy]).abs();
         let sensitivity = finite_or_none(F::one() / slope);
         let warning = warning.worse(solution.warning);
         Ok(FrictionEstimate { friction, sensitivity, residual, warning, reserved: 0 })

@@ -36,7 +36,7 @@ pub enum Measured {
 
 impl Measured {
     /// The part of a force that is measured.
-    fn of<F: Real>(self, [fx, fy]: [F; 2]) -> F {
+    fn component<F: Real>(self, [fx, fy]: [F; 2]) -> F {
         match self {
             Self::Fx => fx,
             Self::Fy => fy,

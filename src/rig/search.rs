@@ -157,7 +157,7 @@ impl<F: Float> Search<F> {
         let (mut least, mut at) = (F::LARGEST, F::constant(0.5));
         for eighth in 1..8 {
             let t = F::widened(eighth as f32).times(0.125);
-            let reach = cubic.value(t) / (t * (F::one() - t));
+            let reach = cubic.value_at(t) / (t * (F::one() - t));
             if reach < least {
                 (least, at) = (reach, t);
             }

@@ -13,7 +13,7 @@ use crate::number::{Arithmetic, Number, Real, Strips};
 
 /// Eight strips: `A_x, A_y, σ`, the spread and the start of each, and the weight of the inner
 /// strips' nodes in each, 0 to 1.
-type Eight<F> = [[F; 8]; 6];
+type StripColumns<F> = [[F; 8]; 6];
 /// The forces `f_x, f_y, m_x` of eight strips and the share in adhesion, and the derivatives of the
 /// first three with respect to the creepages.
 type ForcesAndSlopes<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
@@ -24,7 +24,7 @@ const SLOPES: usize = 3;
 
 /// The forces of eight strips. Each has a weight of the inner strips' nodes, 0 to 1.
 #[inline(never)]
-pub(crate) fn eight_strips<T: Number>(
+pub fn eight_strips<T: Number>(
     seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
@@ -37,7 +37,7 @@ pub(crate) fn eight_strips<T: Number>(
 }
 
 /// The forces of eight strips, computed one after the other: the reference for the tests.
-pub(crate) fn eight_one_by_one<T: Number>(
+pub fn eight_one_by_one<T: Number>(
     seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
@@ -52,7 +52,7 @@ pub(crate) fn eight_one_by_one<T: Number>(
 fn carried<T: Number, const ROWS: usize>(
     seen: &[(StripCreepage<T>, T); 8],
     inner: [T::Base; 8],
-    forces: impl Fn(&Eight<T::Base>, &mut ForcesAndSlopes<T::Base, ROWS>),
+    forces: impl Fn(&StripColumns<T::Base>, &mut ForcesAndSlopes<T::Base, ROWS>),
 ) -> [StripForces<T>; 8] {
     let all = |of: fn(&(StripCreepage<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
     let eight = [
@@ -87,9 +87,12 @@ fn carried<T: Number, const ROWS: usize>(
     })
 }
 
-fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAndSlopes<F, ROWS>) {
+fn both_kinds<F: Real, const ROWS: usize>(
+    eight: &StripColumns<F>,
+    found: &mut ForcesAndSlopes<F, ROWS>,
+) {
     with_avx!(if 1 => <F: Real; ROWS>(
-        eight: &Eight<F>,
+        eight: &StripColumns<F>,
         found: &mut ForcesAndSlopes<F, ROWS>
     ) -> () {
         if cfg!(target_os = "none") {
@@ -107,7 +110,7 @@ fn both_kinds<F: Real, const ROWS: usize>(eight: &Eight<F>, found: &mut ForcesAn
 /// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
-    eight: &Eight<F>,
+    eight: &StripColumns<F>,
     found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     let zero = F::zero();

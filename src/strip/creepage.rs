@@ -96,12 +96,12 @@ impl<F: Real> Flexibilities<F> {
     ) -> Self {
         with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
             linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
-            Flexibilities::of_contact(axis_ratio, poisson_ratio, linear, factors)
+            Flexibilities::for_contact(axis_ratio, poisson_ratio, linear, factors)
         })
     }
 
     #[inline(always)]
-    fn of_contact(
+    fn for_contact(
         axis_ratio: F,
         poisson_ratio: F,
         linear: &LinearCoefficients<F>,
@@ -110,7 +110,7 @@ impl<F: Real> Flexibilities<F> {
         let root = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT)).sqrt();
         let [stretch, _] = factors;
         let moment = (root * stretch * linear.c22).times(4.0 / (3.0 * PI));
-        let (upright, inverse) = F::Pair::of(root, moment).inverse().parts();
+        let (upright, inverse) = F::Pair::couple(root, moment).inverse().parts();
         let ratio = (root.plus(-1.0) / root.plus(1.0)).times(2.0);
         let poisson = poisson_ratio.times(4.0).plus(-1.0);
         let long = LongContact::new(root, ratio, poisson);
@@ -157,7 +157,7 @@ impl<F: Real> Flexibilities<F> {
 
         // forces of the linear theory
         let [lx, ly, ls] = [vx.scale(c11), vy.scale(c22), phi.scale(c23)];
-        let size = magnitude(T::Pair::of(lx, ly));
+        let size = magnitude(T::Pair::couple(lx, ly));
         let ss = magnitude(ls);
         let t2 = lx * lx + ly * ly;
         let s2 = ls * ls;
@@ -168,7 +168,7 @@ impl<F: Real> Flexibilities<F> {
         let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
 
         // Every quotient (s − c)/(s + c) is computed as 1 − 2 c/(s + c), two divisions at a time.
-        let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
+        let inverse = |first: T, second: T| T::Pair::couple(first, second).inverse().parts();
         let (by_x, by_y) = size.plus(1.0).inverse().parts();
         let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
         let (by_s, by_few) = inverse(ss.plus(1.0), ss.plus(0.1));
@@ -209,7 +209,7 @@ impl<F: Real> Flexibilities<F> {
 
         let positive = |first: T, second: T| {
             // o + √(1 + o²): positive, 1 at 0
-            let o = T::Pair::of(first, second);
+            let o = T::Pair::couple(first, second);
             (o + o.squared().plus(1.0).sqrt()).parts()
         };
         let (e_x, e_y) = positive(w * o_x, w * o_y);
@@ -217,7 +217,7 @@ impl<F: Real> Flexibilities<F> {
         let bend_square = o_bend.squared();
         let slope_square = (w2 * o_slope).squared();
         let (slope_root, bend_root) =
-            T::Pair::of(slope_square, bend_square).plus(1.0).sqrt().parts();
+            T::Pair::couple(slope_square, bend_square).plus(1.0).sqrt().parts();
         // β and τ: how spin and lateral creepage share A_y and σ
         let spin_share = w2 * o_spin_share;
         let lateral_share = w2 * o_lateral + (one - w2).scale(self.lateral_at_rest);
@@ -262,7 +262,7 @@ impl<F: Real> Flexibilities<F> {
 impl<T: Number> Distribution<T> {
     /// Without derivatives.
     #[inline]
-    pub(super) fn value(&self) -> Distribution<T::Base> {
+    pub(super) fn without_derivatives(&self) -> Distribution<T::Base> {
         Distribution {
             longitudinal: self.longitudinal.value(),
             lateral: self.lateral.value(),

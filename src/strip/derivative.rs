@@ -66,7 +66,8 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
         m.pass(Force::Moment, &node, spin.r, turning);
     }
     let (u, closed) = (s.times(0.5), constants.closed());
-    let closed = [with_slope(&closed.force, u), with_slope(&closed.moment, u)];
+    let closed =
+        [polynomial_with_slope(&closed.force, u), polynomial_with_slope(&closed.moment, u)];
     let spin = (spin, by_spin);
     let slopes = [
         x.end(Force::Longitudinal, seen, spin, &start, closed),
@@ -135,7 +136,7 @@ impl<P: Arithmetic<Value = P>> NodeAdjoint<P> {
         let [c0, c1, c2, c3] = node.weight;
         let u = s.times(0.5);
         let slope = [c0.times(2.0), c1.times(3.0), c2.times(4.0), c3.times(5.0)];
-        let [slope, _] = with_slope(&slope, u);
+        let [slope, _] = polynomial_with_slope(&slope, u);
         Self {
             place: node.place,
             length: node.length,
@@ -345,7 +346,7 @@ fn separatrix<P: Arithmetic>(
 
 /// `Σ cᵢ uⁱ` and its derivative.
 #[inline(always)]
-fn with_slope<P: Arithmetic<Value = P>, const N: usize>(c: &[P; N], u: P) -> [P; 2] {
+fn polynomial_with_slope<P: Arithmetic<Value = P>, const N: usize>(c: &[P; N], u: P) -> [P; 2] {
     let (mut sum, mut slope) = (P::zero(), P::zero());
     for c in c.iter().rev() {
         slope = slope * u + sum;

@@ -263,7 +263,7 @@ pub(super) fn forces<T: Arithmetic>(
     let Separatrix { y, s, .. } = separatrix;
     let u = s.times(0.5);
     let ahead = T::one() - u;
-    let (inverse_s, bounds) = inverses(s, constants);
+    let (inverse_s, bounds) = node_inverses(s, constants);
     // n = A'/s + r e_y
     let n = [seen.x * inverse_s, y * inverse_s + spin.r];
     // t = r e_y + (A'/s)(1 − R), R = √(1 − s/τ), ahead of the separatrix; behind it less n, which
@@ -303,7 +303,7 @@ pub(super) fn forces<T: Arithmetic>(
 
 /// `1/s` and all `s/B = 1/(t (2 − s t))`, computed with one division.
 #[inline(always)]
-fn inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Value>) -> (T, [T; NODES]) {
+fn node_inverses<T: Arithmetic>(s: T, constants: &impl Constants<T::Value>) -> (T, [T; NODES]) {
     let mut inverses = [s; NODES];
     let mut product = s;
     for (k, place) in inverses.iter_mut().enumerate() {

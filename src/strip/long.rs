@@ -68,7 +68,7 @@ impl<F: Real> LongContact<F> {
         turn: T,
         psi: T,
     ) -> [T; CORRECTIONS] {
-        let inverse = |first: T, second: T| T::Pair::of(first, second).inverse().parts();
+        let inverse = |first: T, second: T| T::Pair::couple(first, second).inverse().parts();
         // Quotient of the rigid slip of creepage and of spin at the ends of the long axis.
         let (over_x, over_y) = inverse((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
         // Quotients of the linear forces, their total, and |ψ|.

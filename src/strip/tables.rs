@@ -161,7 +161,7 @@ pub(super) const STRIP_FIELDS: usize = 8;
 pub(super) type FourStrips<F> = [Couple<F>; STRIP_FIELDS];
 
 /// The half of a rule with `Y > 0`, ascending: `Y`, `C`, width.
-pub(super) type Half = [[f64; 3]];
+pub(super) type HalfRule = [[f64; 3]];
 
 /// Strips of the Hertz ellipse.
 #[derive(Clone, Copy, Debug)]
@@ -199,7 +199,7 @@ impl<F: Float> Rule<F> {
 
 /// The strips at `Y > 0` of all rules together.
 const STRIPS: usize = 2 + 4 + 8 + 16 + 32;
-const RULES: [&Half; 5] = [&HALF_OF_4, &HALF_OF_8, &HALF_OF_16, &HALF_OF_32, &HALF_OF_64];
+const RULES: [&HalfRule; 5] = [&HALF_OF_4, &HALF_OF_8, &HALF_OF_16, &HALF_OF_32, &HALF_OF_64];
 
 /// The halves of all rules, one after the other.
 #[allow(clippy::indexing_slicing)]

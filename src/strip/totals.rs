@@ -82,7 +82,8 @@ impl<F: Real> EllipseStrips<F> {
     }
 
     /// The totals, computed one strip after the other.
-    pub(crate) fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+    #[doc(hidden)]
+    pub fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(
             &self.contact.seen::<T, Lanes<F, 1>>(creepage),
         )
@@ -96,9 +97,9 @@ impl<F: Real> EllipseStrips<F> {
         law: &Distribution<T>,
     ) -> Totals<T> {
         let [values, by_x, by_y, by_z] = if T::HAS_DERIVATIVES {
-            self.sums::<Q, SLOPES>(&law.value())
+            self.sums::<Q, SLOPES>(&law.without_derivatives())
         } else {
-            let [values] = self.sums::<P, VALUES>(&law.value());
+            let [values] = self.sums::<P, VALUES>(&law.without_derivatives());
             [values; SLOPES]
         };
         let (by, Totals { fx, fy, mz, stick }) = (law.numbers(), self.values(values));
@@ -243,7 +244,7 @@ impl<F: Real> EllipseStrips<F> {
 
     /// The forces of each strip, divided by the contact's friction bound, with its share of the
     /// area, ascending in `y`. Their sum is the result of [`EllipseStrips::totals`].
-    pub fn each(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
+    pub fn each_strip(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,
     {
@@ -394,13 +395,13 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
 }
 
 /// Forces moved so that friction takes power out: `F·v n/(v·K v)`, `K = diag(C11, C22, C33)`, `n² =
-/// 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction. Where it is below [`FLOOR`] + [`STEP`]
-/// it is raised to at least [`FLOOR`], with a continuous derivative.
+/// 1 + |K v|² + (C23 φ)²`, is 1 at rest in every direction. Where it is below `FLOOR` + `STEP`
+/// it is raised to at least `FLOOR`, with a continuous derivative.
 ///
 /// `F' = F + λ h K v` with `h = (1 − |F|²)/10` for the forces and 1 for the moment; where `|F'| >
 /// 1`, all of it is scaled down.
 #[inline(always)]
-pub(crate) fn power_projected<T: Number>(
+pub fn power_projected<T: Number>(
     totals: Totals<T>,
     creepage: [T; 3],
     linear: &LinearCoefficients<T::Base>,

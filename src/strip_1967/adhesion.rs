@@ -49,9 +49,9 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
             // ∫ (K, ξ̄ K, Y ξ̄ K, K²) dY by nodes
             let mut sums = [T::Pair::zero(); 4];
             for [node, weight] in table!(T::Base, GAUSS_4).iter().map(row::<T::Base, 2>) {
-                let y = Both::<T>::both(middle) + Both::<T>::of(half, -half).by(node);
+                let y = Both::<T>::both(middle) + Both::<T>::couple(half, -half).by(node);
                 let x = T::Pair::both(xi) - T::Pair::both(p).scale(y);
-                let k = length(motion, x);
+                let k = adhesion_on_arc(motion, x);
                 let (share, xk) = (k.by(weight), (x * k).by(weight));
                 for (sum, part) in sums.iter_mut().zip([share, xk, xk.scale(y), share * k]) {
                     *sum += part;
@@ -106,7 +106,7 @@ pub(super) fn adhering<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) 
 
 /// `K`, by the form of (5.41) that does not cancel.
 #[inline(always)]
-fn length<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
+fn adhesion_on_arc<T: Number>(motion: &ReducedCreepage<T>, x: T::Pair) -> T::Pair {
     let ReducedCreepage { eta, psi, q, eta_psi: m, .. } = motion.values();
     let both = Both::<T>::both;
     let x0 = x.value();
@@ -135,14 +135,15 @@ fn stretch_and_length<T: Number>(motion: &ReducedCreepage<T>, arc: &Arc<T>, stre
     // the middle is.
     let hardly = (xi + eta.abs()).times(root_epsilon::<T>());
     let h = xi / (slope + hardly + T::from_base(T::ROOT_TINY));
-    let turn = Edge::chosen(h - lower.y, Edge::chosen(upper.y - h, Edge::at(h), upper), lower);
+    let turn =
+        Edge::chosen_edge(h - lower.y, Edge::chosen_edge(upper.y - h, Edge::at(h), upper), lower);
     let cosine = turn.c * middle.c + turn.y * middle.y;
     let parting = (turn.y * middle.c - turn.c * middle.y) / (T::one() + cosine);
     let lowest = eta.abs() / (T::one() - eta.choose(psi, -psi) + T::tiny());
     let level = (h - lower.y).choose((upper.y - h).choose(lowest, upper.c), lower.c);
     let pieces = Pieces::new(motion.values(), arc.values(), parting.value(), level.value());
     if T::HAS_DERIVATIVES {
-        return slopes::stretch_and_length(motion, arc, [parting, level], &pieces, stretch);
+        return slopes::stretch_with_slopes(motion, arc, [parting, level], &pieces, stretch);
     }
     let mut sum = Both::<T>::zero();
     for [node, weight] in table!(T::Base, GAUSS_6).iter().map(row::<T::Base, 2>) {

@@ -53,7 +53,7 @@ impl<T: Number> Edge<T> {
 
     /// `yes` where a number is positive, else `no`.
     #[inline(always)]
-    pub fn chosen(by: T, yes: Self, no: Self) -> Self {
+    pub fn chosen_edge(by: T, yes: Self, no: Self) -> Self {
         Self { y: by.choose(yes.y, no.y), c: by.choose(yes.c, no.c) }
     }
 }
@@ -94,7 +94,7 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
     let (beside_p, beside_xi) = (inside.choose(more, none), inside.choose(none, -more));
     let gap = beside_p + beside_xi;
     let d0 = q + beside_p + least;
-    let s = root(motion, xi.min(p).squared(), gap, d0);
+    let s = root_of_cubic(motion, xi.min(p).squared(), gap, d0);
     let (d, lambda) = (d0 + s, beside_xi + s);
     let scale = (p2 + q + least).inverse();
     // d M, M = λ + p² + η² + m²/d
@@ -134,7 +134,7 @@ pub fn adhesion<T: Number>(motion: &ReducedCreepage<T>) -> (Arc<T>, T) {
 /// The positive root of the cubic for `s = least − L`, `least = min(ξ², p²)`:
 /// `d s (s + gap) = (η² d + m²)(least − s)` with `d = d₀ + s`.
 #[inline(always)]
-fn root<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
+fn root_of_cubic<T: Number>(motion: &ReducedCreepage<T>, least: T, gap: T, d0: T) -> T {
     let (eta2, m2) = (motion.eta * motion.eta, motion.eta_psi * motion.eta_psi);
     let inputs = [least, gap, d0, eta2, m2];
     let (least, gap, d0) = (least.value(), gap.value(), d0.value());

@@ -84,7 +84,8 @@ pub(super) struct GaussNode<P> {
 impl<F: Real> Pieces<F> {
     #[inline(always)]
     pub fn new(motion: ReducedCreepage<F>, arc: Arc<F>, parting: F, least: F) -> Self {
-        let (from, to) = (F::Pair::of(-arc.tangent, parting), F::Pair::of(parting, arc.tangent));
+        let (from, to) =
+            (F::Pair::couple(-arc.tangent, parting), F::Pair::couple(parting, arc.tangent));
         let (centre, half) = ((from + to).times(0.5), (to - from).times(0.5));
         Self { motion, middle: arc.middle, centre, half, least }
     }

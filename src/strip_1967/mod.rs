@@ -60,7 +60,7 @@ pub mod strips;
 use crate::contact::creepage::Parameters;
 use crate::contact::totals::Totals;
 use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Number, Real, add, branch_or_blend, chosen};
+use crate::number::{Arithmetic, Number, Real, add, branch_or_blend, choose_each};
 use crate::strip_1967::adhesion::adhering;
 use crate::strip_1967::edge::Edge;
 use crate::strip_1967::integrals::Shares;
@@ -186,5 +186,5 @@ fn with_spin<T: Number>(motion: &ReducedCreepage<T>) -> Shares<T> {
     if T::HAS_DERIVATIVES {
         add(&mut all, slopes::jumps(motion, &arc));
     }
-    chosen(some, all, slide)
+    choose_each(some, all, slide)
 }

@@ -32,7 +32,7 @@ pub struct ReducedCreepage<T: Number> {
 
 /// Largest sum of creepages whose eighth power is finite.
 #[inline]
-fn largest<T: Number>() -> f64 {
+fn largest_sum<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e30 }
 }
 
@@ -57,7 +57,7 @@ impl<T: Number> ReducedCreepage<T> {
         let within = psi.min(T::one());
         // Far beyond any adhesion creepages are scaled down in the same direction, so that powers
         // are finite.
-        let far = (xi + eta.abs() + slope).times(1.0 / largest::<T>());
+        let far = (xi + eta.abs() + slope).times(1.0 / largest_sum::<T>());
         let [xi, eta, slope, psi] = branch_or_blend!(
             far - T::one(),
             {

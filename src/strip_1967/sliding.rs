@@ -28,10 +28,10 @@ pub(super) fn sliding<T: Number>(
     upper: [Edge<T>; 2],
 ) -> Shares<T> {
     let [fx, fy, lever] = match motion.rule {
-        SlidingRule::RigidSlip => rigid_slip(
+        SlidingRule::RigidSlip => forces_of_slip(
             motion,
-            T::Pair::of(lower[0].y, upper[0].y).value(),
-            T::Pair::of(lower[1].y, upper[1].y).value(),
+            T::Pair::couple(lower[0].y, upper[0].y).value(),
+            T::Pair::couple(lower[1].y, upper[1].y).value(),
         ),
         SlidingRule::Continuous => continuous(motion, lower, upper),
     };
@@ -40,7 +40,7 @@ pub(super) fn sliding<T: Number>(
 
 /// `∫ C² (w_x, w_y, Y w_x) dY` with `w ~ ((1 − ν) ξ̄, η)`.
 #[inline(always)]
-fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>) -> [T; 3] {
+fn forces_of_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>) -> [T; 3] {
     let ReducedCreepage { xi, eta, slope, compliance, .. } = *motion;
     let both = Both::<T>::both;
     let (z0, p) = (xi.scale(compliance), slope.scale(compliance));
@@ -102,7 +102,7 @@ fn rigid_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Both<T>
             let (i0, i1, i2) =
                 (moment(by, [j0, j1, j2]), moment(by, [j1, j2, j3]), moment(by, [j2, j3, j4]));
             let [by_x, by_w, by_lever] =
-                slopes::rigid_slip([h0, e0, e2], [u1, u2, d1, d2], [j0, j1, j2], by);
+                slopes::slip_with_slopes([h0, e0, e2], [u1, u2, d1, d2], [j0, j1, j2], by);
             let of = |value: T::Base, slopes: [T::Base; 2]| T::composed(value, slopes, [h, e]);
             [of(i1, by_x), of(e0 * i0, by_w), of(h0 * i1 - i2, by_lever)]
         }
@@ -119,10 +119,14 @@ fn continuous<T: Number>(
 ) -> [T; 3] {
     let ReducedCreepage { xi, eta, psi, slope: p, .. } = *motion;
     let both = T::Pair::both;
-    let near =
-        Edge { y: T::Pair::of(lower[1].y, upper[0].y), c: T::Pair::of(lower[1].c, upper[0].c) };
-    let edge =
-        Edge { y: T::Pair::of(lower[0].y, upper[1].y), c: T::Pair::of(lower[0].c, upper[1].c) };
+    let near = Edge {
+        y: T::Pair::couple(lower[1].y, upper[0].y),
+        c: T::Pair::couple(lower[1].c, upper[0].c),
+    };
+    let edge = Edge {
+        y: T::Pair::couple(lower[0].y, upper[1].y),
+        c: T::Pair::couple(lower[0].c, upper[1].c),
+    };
     // tan(β/4) = sin(β/2)/(1 + cos(β/2)) of the angle β from the near to the far end
     let cosine = near.y * edge.y + near.c * edge.c;
     let [sine, cosine] = T::Pair::each(&[-cosine, cosine], |cosine| {
@@ -137,7 +141,7 @@ fn continuous<T: Number>(
     let grade = turn.times(4.0).plus(1.0).sqrt().min(T::Pair::constant(30.0));
     // A turn within less than rounding is ignored.
     let grade = grade.plus(-1.0) / turn.times(1e-6).plus(1.0) + T::Pair::one();
-    let outwards = T::Pair::of(-T::one(), T::one());
+    let outwards = T::Pair::couple(-T::one(), T::one());
     let mut sums = [T::Pair::zero(); 4];
     for [node, weight] in table!(T::Base, GAUSS_16).iter().map(row::<T::Base, 2>) {
         for node in [-node, node] {

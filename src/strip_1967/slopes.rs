@@ -10,7 +10,7 @@ use crate::strip_1967::strip::SlidingRule;
 
 /// `∫ C K dY` with its derivatives. Those with respect to the ends correct the error of the nodes.
 #[inline(always)]
-pub(super) fn stretch_and_length<T: Number>(
+pub(super) fn stretch_with_slopes<T: Number>(
     motion: &ReducedCreepage<T>,
     arc: &Arc<T>,
     [parting, level]: [T; 2],
@@ -71,7 +71,7 @@ pub(super) fn stretch_and_length<T: Number>(
 ///
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
 #[inline(always)]
-pub(super) fn rigid_slip<F: Real>(
+pub(super) fn slip_with_slopes<F: Real>(
     [h, e, e2]: [F; 3],
     [u1, u2, d1, d2]: [F::Pair; 4],
     [j0, j1, j2]: [F; 3],
@@ -91,7 +91,7 @@ pub(super) fn rigid_slip<F: Real>(
 pub(super) fn jumps<T: Number>(motion: &ReducedCreepage<T>, moving: &Arc<T>) -> Shares<T> {
     let ReducedCreepage { xi, eta, psi, slope: p, compliance, rule, .. } = motion.values();
     let (Arc { lower, upper, .. }, both) = (moving.values(), Both::<T>::both);
-    let (y, c) = (Both::<T>::of(lower.y, upper.y), Both::<T>::of(lower.c, upper.c));
+    let (y, c) = (Both::<T>::couple(lower.y, upper.y), Both::<T>::couple(lower.c, upper.c));
     let x = both(xi) - y.by(p);
     let z = x.by(compliance);
     // C² divided by the slip of a strip that slides; the nodes of the continuous rule include it.

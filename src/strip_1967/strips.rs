@@ -45,7 +45,7 @@ pub struct PlacedStrip<T> {
 }
 
 /// Every strip, handed to `visit`, ascending in `y`.
-pub fn strips<F: Float>(
+pub fn visit_strips<F: Float>(
     parameters: &Parameters<F>,
     rule: SlidingRule,
     count: StripCount,
@@ -67,7 +67,7 @@ pub fn strips<F: Float>(
     for _ in 0..count {
         next += F::one();
         let to = Edge::at(width * next - F::one());
-        let [fx, fy, mx, lever, stick] = share(&motion, &arc, from, to);
+        let [fx, fy, mx, lever, stick] = forces_between(&motion, &arc, from, to);
         let mz = mx * arms[0] - lever * arms[1];
         let piece = [fx * motion.turned_x, fy * motion.turned_y, mz, stick.times(8.0 / (3.0 * PI))];
         let piece = piece.map(|share| share.times(0.75));
@@ -113,7 +113,7 @@ pub fn strips<F: Float>(
 
 /// The forces of the strips between two edges: those that slide below and above the arc, and those
 /// on the arc.
-fn share<F: Float>(
+fn forces_between<F: Float>(
     motion: &ReducedCreepage<F>,
     arc: &Arc<F>,
     from: Edge<F>,
@@ -130,7 +130,7 @@ fn share<F: Float>(
     let (mut first, mut last) = (from, lower);
     for _ in 0..2 {
         if last.y > first.y {
-            add(&mut shares, sliding(motion, first, last));
+            add(&mut shares, sliding_between(motion, first, last));
         }
         if upper.y >= to.y {
             break;
@@ -138,7 +138,7 @@ fn share<F: Float>(
         (first, last) = (upper, to);
     }
     if upper.y > lower.y {
-        add(&mut shares, adhering(motion, lower, upper));
+        add(&mut shares, adhering_between(motion, lower, upper));
     }
     shares
 }
@@ -154,7 +154,7 @@ fn load<F: Float>(from: Edge<F>, to: Edge<F>) -> F {
 /// `∫ n/|n| = (n₁ + n₂ + 2 (A − 1) n_across)/(|n₁| + |n₂|)`, `A = artanh t/t`,
 /// `t = L/(|n₁| + |n₂|)`. The ends are moved together so that their middle has the means of `Y` and
 /// `C` under the weight `C²`, taken as linear.
-fn sliding<F: Float>(motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>) -> Shares<F> {
+fn sliding_between<F: Float>(motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>) -> Shares<F> {
     let ReducedCreepage { eta, psi, compliance, rule, .. } = *motion;
     // C = a ± e at the ends
     let (a, e, width) = ((from.c + to.c).times(0.5), (to.c - from.c).times(0.5), to.y - from.y);
@@ -196,7 +196,11 @@ fn artanh_quotient<F: Float>(t2: F) -> F {
 }
 
 /// `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²` with `K` of the middle.
-fn adhering<F: Float>(motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>) -> Shares<F> {
+fn adhering_between<F: Float>(
+    motion: &ReducedCreepage<F>,
+    from: Edge<F>,
+    to: Edge<F>,
+) -> Shares<F> {
     let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
     let (width, drop) = (to.y - from.y, to.c - from.c);
     // ∫ C dY: the trapezium, and the segment of the circle over the chord h, h³/12 (1 + 3 h²/40 …)

@@ -42,7 +42,7 @@ const RATIO_LIMIT: f64 = 1e3;
 const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
 #[inline]
-fn largest<T: Number>() -> f64 {
+fn largest_linear_force<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
 }
 /// Creepages below this multiple of the smallest normal number have lost digits, or their products
@@ -102,12 +102,12 @@ impl<F: Real> Total<F> {
             poisson_ratio: F,
             linear: &LinearCoefficients<F>
         ) -> Total<F> {
-            Total::of_contact(axis_ratio, poisson_ratio, linear)
+            Total::for_contact(axis_ratio, poisson_ratio, linear)
         })
     }
 
     #[inline(always)]
-    fn of_contact(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
+    fn for_contact(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let inverse = F::one() / g;
         let (root, both) = (g.sqrt(), g + inverse);
@@ -126,7 +126,7 @@ impl<F: Real> Total<F> {
             ends: [end_x, end_y],
             slender,
             rigid: RigidSlip::new(g, both),
-            network: TotalNetwork::of_contact([
+            network: TotalNetwork::for_contact([
                 slender,
                 poisson,
                 slender * slender,
@@ -224,7 +224,7 @@ impl<F: Real> Total<F> {
             T::each(&[o1, o2, o3, o4, o6], |o| (*o * o.times(1.01).plus(2.0)).plus(1.0));
 
         // elastic slopes and those of sliding: dₑ = 1/(1 + TURN e⁴) of the first
-        let (root_x, root_y) = T::Pair::of(ix, iy).sqrt().parts();
+        let (root_x, root_y) = T::Pair::couple(ix, iy).sqrt().parts();
         let braked = root_y.scale(c22);
         // Limited, so that q² stays finite in single precision; only the direction counts there.
         let growth = ((e4 * e2).min(T::from_base(T::HUGE)) * pole).scale(c22.times(GROWTH));
@@ -295,7 +295,7 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
         let gone = |v: &T| *v - T::from_base((lost - least).choose(v.value(), T::Base::zero()));
         creepage = T::each(&creepage, gone);
     }
-    let limit = T::Base::of(largest::<T>());
+    let limit = T::Base::of(largest_linear_force::<T>());
     if size.exceeds(limit) {
         let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
         creepage = T::each(&creepage, |v| *v * factor);
@@ -308,7 +308,7 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
 fn inverses<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
     for two in numbers.chunks_exact_mut(2) {
         if let [p, q] = two {
-            (*p, *q) = T::Pair::of(*p, *q).inverse().parts();
+            (*p, *q) = T::Pair::couple(*p, *q).inverse().parts();
         }
     }
     numbers

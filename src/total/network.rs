@@ -3,7 +3,7 @@
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::lanes::Lanes;
-use crate::number::tables::{add_rows, row, rows, table, three_derivatives, widen};
+use crate::number::tables::{add_rows, couples_as_rows, row, table, three_derivatives, widen};
 use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
@@ -21,8 +21,8 @@ pub(super) struct TotalNetwork<F> {
 
 impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
-    pub(super) fn of_contact(fixed: [F; FIXED_INPUTS]) -> Self {
-        let [offset, weights @ ..] = table!(F, rows(&FIXED));
+    pub(super) fn for_contact(fixed: [F; FIXED_INPUTS]) -> Self {
+        let [offset, weights @ ..] = table!(F, couples_as_rows(&FIXED));
         Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
 
@@ -34,8 +34,8 @@ impl<F: Real> TotalNetwork<F> {
         &self,
         inputs: [T; INPUTS],
     ) -> [T; 6] {
-        let first = table!(F, rows(&FIRST));
-        let [second_offset, second @ ..] = table!(F, rows(&SECOND));
+        let first = table!(F, couples_as_rows(&FIRST));
+        let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
         let [last_offset] = table!(F, widen(&[LAST_BIAS]));
         let sums = add_rows::<F, P, _>(self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
@@ -78,8 +78,8 @@ fn moved<F: Real, G: Real<Stored = F::Stored>, P: Strips<G>>(
     slopes_2: &[F; UNITS_2],
     all: impl Fn(F) -> G,
 ) -> [G; 6] {
-    let first = table!(F, rows(&FIRST));
-    let [_, second @ ..] = table!(F, rows(&SECOND));
+    let first = table!(F, couples_as_rows(&FIRST));
+    let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));
     let units = times(add_rows::<G, P, _>([G::zero(); UNITS_1], moves, first), slopes_1, &all);
     let units = add_rows::<G, P, _>([G::zero(); UNITS_2], units.iter().copied(), second);
     last_layer(times(units, slopes_2, all), [G::zero(); 6])
@@ -88,7 +88,9 @@ fn moved<F: Real, G: Real<Stored = F::Stored>, P: Strips<G>>(
 /// The last layer: four chains of sums for each output.
 #[inline(always)]
 fn last_layer<F: Real>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
-    for (output, weights) in outputs.iter_mut().zip(table!(F, rows::<6, _, UNITS_2>(&LAST))) {
+    for (output, weights) in
+        outputs.iter_mut().zip(table!(F, couples_as_rows::<6, _, UNITS_2>(&LAST)))
+    {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
             for ((sum, unit), weight) in sums.iter_mut().zip(units).zip(weights) {

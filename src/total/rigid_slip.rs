@@ -113,7 +113,7 @@ impl<F: Real> RigidSlip<F> {
         let [d0, d1, d2, d3, d4, d5] = self.size;
         let d = t * (t * (t.scale(d0) + u.scale(d1) + v.scale(d2)) + mean([d3, d4, d5], squares));
         let (force, moment) = ((x * x + y * y + n * z).plus(1e-30), (n * (w * w2 + d)).plus(1e-30));
-        let (f, m) = T::Pair::of(force, moment).sqrt().inverse().parts();
+        let (f, m) = T::Pair::couple(force, moment).sqrt().inverse().parts();
         let [au, av, at] = self.arm;
         let arm = u.scale(au) + v.scale(av) + t.scale(at);
         ([x * f, y * f, phi * arm * m], t)

@@ -22,7 +22,7 @@
 //! their own slip besides (`curved`).
 
 use super::axes::{Axes, with_moment};
-use super::groups::Zones;
+use super::groups::Overlaps;
 use super::line_of_contact::Turn;
 use super::roller::{Over, Roller};
 use super::touch::Gap;
@@ -34,7 +34,7 @@ use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::cells::Given;
 use crate::normal::parabola::STEPS;
-use crate::normal::smooth::Curve;
+use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Float, are_finite, length};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
@@ -343,7 +343,7 @@ impl<'a, F: Float> View<'a, F> {
 
     /// Where a point of the wheel is over the rail.
     fn over(&self, x: F, z: F) -> Over<F> {
-        Roller::of(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
+        Roller::new(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
     }
 
     /// The distance between points where the surfaces are near \[m\]: the mean over the points that
@@ -382,7 +382,7 @@ impl<'a, F: Float> View<'a, F> {
     fn press(
         &self,
         profile: &Profile<F>,
-        curve: &Curve<F>,
+        curve: &SmoothedProfile<F>,
         depth: F,
         count: StripCount,
         strips: &mut StoredPatch<F>,
@@ -434,8 +434,8 @@ pub fn from_gap<F: Float>(
     let view = View::new(gap, pair, position)?;
     let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
-    let mut curve = Curve::of_surfaces(&profile, pair.smoothing_length);
-    let mut zones = Zones::new();
+    let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
+    let mut zones = Overlaps::new();
     curve.overlaps(|zone| zones.push(zone));
     found.apart = zones.apart() as u32;
     for group in &zones.groups()? {

@@ -1,7 +1,7 @@
 //! A curve through points, and equal chords of it.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::surface::{Piece, Place};
+use super::surface::{CurvePoint, Piece};
 use crate::number::Float;
 
 /// Places of the curve between which the ends of chords are looked for: four for each chord.
@@ -29,7 +29,7 @@ pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
 }
 
 /// The curve through some points: cubics with the slopes of the parabolas through three of them.
-pub(super) struct Curve<'a, K>(pub &'a K);
+pub(super) struct Interpolant<'a, K>(pub &'a K);
 
 /// Equal chords of a curve.
 #[derive(Clone, Copy)]
@@ -40,7 +40,7 @@ pub(super) struct Chords<F> {
     pub are_equal: bool,
 }
 
-impl<F: Float, K: Points<Number = F>> Curve<'_, K> {
+impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
     /// A point of the curve by its length, which lies between that of a point and the next one or
     /// before it.
     fn at(&self, mut k: usize, length: F) -> [F; 2] {
@@ -63,7 +63,7 @@ impl<F: Float, K: Points<Number = F>> Curve<'_, K> {
                 [[a, c], [b, d]]
                     .map(|[own, other]| (own * length + other * width) / (length + width))
             });
-            Place { y, z, cosine, sine }
+            CurvePoint { y, z, cosine, sine }
         };
         let before = if k > 0 { get(k - 1) } else { None };
         let u = ((length - from.0) / width).clamped(F::zero(), F::one());

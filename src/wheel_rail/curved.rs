@@ -76,7 +76,7 @@ pub(super) fn creep<F: Float>(
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
             let rows = |k: usize| {
                 let number = if is_turned { count.saturating_sub(k + 1) } else { k };
-                let [x, y, spin] = rows(contact, &axes, number);
+                let [x, y, spin] = rows_of_strip(contact, &axes, number);
                 if is_turned { [x.map(|x| -x), y.map(|y| -y), spin] } else { [x, y, spin] }
             };
             // (a rail that moves)
@@ -125,7 +125,11 @@ pub(super) fn creep<F: Float>(
 }
 
 /// `B` of a strip.
-fn rows<F: Float>(contact: &WheelContact<F>, axes: &Axes<F>, number: usize) -> [[F; 6]; 3] {
+fn rows_of_strip<F: Float>(
+    contact: &WheelContact<F>,
+    axes: &Axes<F>,
+    number: usize,
+) -> [[F; 6]; 3] {
     let of = |list: &[F]| list.get(number).copied().unwrap_or(F::zero());
     let (x, y) = contact
         .patch
@@ -157,7 +161,7 @@ fn combined<F: Float>(rows: &[[F; 6]; 3], [a, b, c]: [F; 3]) -> [F; 6] {
     sum
 }
 
-fn add<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
+fn add_scaled<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
     sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term * factor);
 }
 
@@ -210,18 +214,18 @@ impl<F: Float> End<'_, F> {
         let found = each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
             let rows = rows(k);
             power += at.power;
-            add(&mut wrench, combined(&rows, at.forces), one);
+            add_scaled(&mut wrench, combined(&rows, at.forces), one);
             if !differentiate {
                 return;
             }
-            add(&mut power_by, combined(&rows, at.power_slopes), per_speed);
+            add_scaled(&mut power_by, combined(&rows, at.power_slopes), per_speed);
             let creepage = whole(k);
             power_along += dot(&at.power_slopes, &creepage);
-            add(&mut along, combined(&rows, at.slopes.map(|row| dot(&row, &creepage))), one);
+            add_scaled(&mut along, combined(&rows, at.slopes.map(|row| dot(&row, &creepage))), one);
             for (row, slopes) in rows.iter().zip(at.slopes) {
                 let by = combined(&rows, slopes);
                 for (sums, factor) in by_velocity.iter_mut().zip(row) {
-                    add(sums, by, *factor * per_speed);
+                    add_scaled(sums, by, *factor * per_speed);
                 }
             }
         })?;
@@ -243,7 +247,7 @@ impl<F: Float> End<'_, F> {
             each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
                 let ([slopes_x, slopes_y, slopes_z], [power, ..]) = (at.slopes, at.power_slopes);
                 let first = [slopes_x, slopes_y, slopes_z].map(|[first, ..]| first);
-                add(&mut creep.by_mismatch, combined(&rows(k), first), one);
+                add_scaled(&mut creep.by_mismatch, combined(&rows(k), first), one);
                 power_by_mismatch += power;
             })?;
         }
@@ -267,11 +271,11 @@ impl<F: Float> End<'_, F> {
         let feedback = one / (one - rate * of_share);
         let through = |power: F| feedback * rate * over_bound(power) / found.share;
         for (row, share) in creep.by_velocity.iter_mut().zip(by_share) {
-            add(row, power_by.map(through), share);
+            add_scaled(row, power_by.map(through), share);
         }
         let at_speed = if found.falls { by.rolling_speed * feedback / found.share } else { zero };
-        add(&mut creep.by_speed, by_share, at_speed + through(-(power_along * per_speed)));
-        add(&mut creep.by_mismatch, by_share, through(power_by_mismatch));
+        add_scaled(&mut creep.by_speed, by_share, at_speed + through(-(power_along * per_speed)));
+        add_scaled(&mut creep.by_mismatch, by_share, through(power_by_mismatch));
         creep.by_friction = by_share.map(|share| share * feedback);
         Ok(creep)
     }

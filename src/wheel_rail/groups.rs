@@ -46,7 +46,7 @@ fn nearness<F: Float>(free: F) -> F {
 pub(super) const GROUPS: usize = 2 * ZONES;
 
 /// Zones of overlap in ascending order.
-pub(super) struct Zones<F> {
+pub(super) struct Overlaps<F> {
     list: Vec<Overlap<F>, ZONES>,
 }
 
@@ -62,12 +62,12 @@ pub(super) struct Group<F> {
 
 /// A zone where zones are grouped: its place, counted in free length, and whether it is strong.
 #[derive(Clone, Copy)]
-struct Place<F> {
+struct GroupedZone<F> {
     free: F,
     depth: F,
 }
 
-impl<F: Float> Zones<F> {
+impl<F: Float> Overlaps<F> {
     pub fn new() -> Self {
         Self { list: Vec::new() }
     }
@@ -95,14 +95,14 @@ impl<F: Float> Zones<F> {
     /// [`Error::PatchSize`] for more than there is room for.
     pub fn groups(&self) -> Result<Vec<Group<F>, GROUPS>, Error> {
         let mut groups = Vec::new();
-        let mut places: Vec<Place<F>, ZONES> = Vec::new();
+        let mut places: Vec<GroupedZone<F>, ZONES> = Vec::new();
         let (mut at, mut deepest) = (F::zero(), F::zero());
         let mut last: Option<&Overlap<F>> = None;
         for zone in &self.list {
             at += last.map_or(F::zero(), |last| free(last, zone));
             deepest = deepest.max(zone.depth);
             last = Some(zone);
-            let _ = places.push(Place { free: at, depth: zone.depth });
+            let _ = places.push(GroupedZone { free: at, depth: zone.depth });
         }
         // between two successive bounds of ℓ, and of T, the groups are the same
         let weak = deepest.times(WEAK);
@@ -167,13 +167,13 @@ fn joined<F: Float>(zone: &Overlap<F>, next: &Overlap<F>) -> Overlap<F> {
 
 /// Zones, of which those that are at least as deep as a level are strong.
 struct Strong<'a, F> {
-    places: &'a [Place<F>],
+    places: &'a [GroupedZone<F>],
     level: F,
 }
 
 impl<F: Float> Strong<'_, F> {
     /// The place in free length of the nearest strong zone among some.
-    fn nearest<'b>(&self, mut among: impl Iterator<Item = &'b Place<F>>) -> Option<F>
+    fn nearest<'b>(&self, mut among: impl Iterator<Item = &'b GroupedZone<F>>) -> Option<F>
     where
         F: 'b,
     {

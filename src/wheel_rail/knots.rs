@@ -4,7 +4,7 @@
 use super::curve::Points;
 use super::curve::distance;
 use super::spine::{CAPACITY, Polyline};
-use super::surface::{Place, Surface};
+use super::surface::{CurvePoint, Surface};
 use crate::number::Float;
 use crate::numerics::parabola::NormalEquations;
 
@@ -22,7 +22,7 @@ const DISTINCT: f64 = 0.05;
 
 /// The average of some points.
 #[derive(Clone, Copy)]
-struct Knot<F> {
+struct PointAverage<F> {
     /// How many there are.
     weight: F,
     /// Their length along the spine \[m\].
@@ -32,7 +32,7 @@ struct Knot<F> {
     spread: F,
 }
 
-impl<F: Float> Knot<F> {
+impl<F: Float> PointAverage<F> {
     /// The average of the points of two averages.
     #[inline(always)]
     fn with(self, other: Self) -> Self {
@@ -87,7 +87,7 @@ impl<'a, F: Float> Knots<'a, F> {
 
     /// Gathers the points of a profile along its spine, no point of which is farther from it than a
     /// radius.
-    pub(super) fn gather(
+    pub(super) fn collect_points(
         &mut self,
         is_weighted: bool,
         spine: &Polyline<F>,
@@ -99,17 +99,18 @@ impl<'a, F: Float> Knots<'a, F> {
         let cell = (spine.length() + radius.times(2.0)).times(1.0 / CELLS);
         let have_room = y.len() + 2 <= self.room();
         let (mut segment, mut near) = (0, 0);
-        let mut ends: Option<[Knot<F>; 2]> = None;
+        let mut ends: Option<[PointAverage<F>; 2]> = None;
         for point in y.iter().zip(z).map(|(y, z)| [*y, *z]) {
             let foot = spine.nearest(point, segment, radius);
             segment = foot.segment;
-            let knot = Knot { weight: F::one(), length: foot.length, point, spread: F::zero() };
+            let knot =
+                PointAverage { weight: F::one(), length: foot.length, point, spread: F::zero() };
             let [first, last] = ends.unwrap_or([knot; 2]);
             let first = if foot.length < first.length { knot } else { first };
             let last = if foot.length > last.length { knot } else { last };
             ends = Some([first, last]);
             // no foot lies before the spine by more than a radius
-            let cell_of = |knot: Knot<F>| ((knot.length + radius) / cell).whole();
+            let cell_of = |knot: PointAverage<F>| ((knot.length + radius) / cell).whole();
             near = if have_room { self.insert(knot) } else { self.add(knot, near, cell_of) };
         }
         for knot in ends.into_iter().flatten().filter(|_| !have_room) {
@@ -127,41 +128,46 @@ impl<'a, F: Float> Knots<'a, F> {
     }
 
     #[inline(always)]
-    fn knot(&self, k: usize) -> Option<Knot<F>> {
+    fn knot(&self, k: usize) -> Option<PointAverage<F>> {
         let length = *self.lengths.get(k).filter(|_| k < self.count)?;
         let (weight, spread) = (F::one(), F::zero());
-        let Some(Place { y, z, cosine, sine }) = self.store.point(k) else {
-            let Place { cosine, sine, .. } = self.store.point(k - CAPACITY)?;
-            return Some(Knot { weight, length, point: [cosine, sine], spread });
+        let Some(CurvePoint { y, z, cosine, sine }) = self.store.point(k) else {
+            let CurvePoint { cosine, sine, .. } = self.store.point(k - CAPACITY)?;
+            return Some(PointAverage { weight, length, point: [cosine, sine], spread });
         };
         let (weight, spread) = if self.is_weighted { (cosine, sine) } else { (weight, spread) };
-        Some(Knot { weight, length, point: [y, z], spread })
+        Some(PointAverage { weight, length, point: [y, z], spread })
     }
 
     #[inline(always)]
-    fn set(&mut self, k: usize, knot: Knot<F>) {
+    fn set(&mut self, k: usize, knot: PointAverage<F>) {
         if let Some(length) = self.lengths.get_mut(k) {
             *length = knot.length;
         }
         let [y, z] = knot.point;
         if self.is_weighted {
-            self.store.set_point(k, Place { y, z, cosine: knot.weight, sine: knot.spread });
+            self.store.set_point(k, CurvePoint { y, z, cosine: knot.weight, sine: knot.spread });
             return;
         }
         let second = k.wrapping_sub(CAPACITY);
         let half = if k < CAPACITY { k } else { second };
         let Some(place) = self.store.point(half) else { return };
         let place = if k < CAPACITY {
-            Place { y, z, ..place }
+            CurvePoint { y, z, ..place }
         } else {
-            Place { cosine: y, sine: z, ..place }
+            CurvePoint { cosine: y, sine: z, ..place }
         };
         self.store.set_point(half, place);
     }
 
     /// Adds a point to the average of its cell. The search for it begins at a knot; returns that of
     /// the cell.
-    fn add(&mut self, knot: Knot<F>, mut near: usize, cell_of: impl Fn(Knot<F>) -> i32) -> usize {
+    fn add(
+        &mut self,
+        knot: PointAverage<F>,
+        mut near: usize,
+        cell_of: impl Fn(PointAverage<F>) -> i32,
+    ) -> usize {
         let cell = cell_of(knot);
         while near > 0 && self.knot(near).is_some_and(|other| cell_of(other) > cell) {
             near -= 1;
@@ -178,7 +184,7 @@ impl<'a, F: Float> Knots<'a, F> {
     }
 
     /// Inserts a knot at its place, and returns it.
-    fn insert(&mut self, knot: Knot<F>) -> usize {
+    fn insert(&mut self, knot: PointAverage<F>) -> usize {
         let mut k = self.count.min(self.room() - 1);
         self.count = k + 1;
         while let Some(before) = self.knot(k.wrapping_sub(1)).filter(|_| k > 0) {
@@ -195,7 +201,7 @@ impl<'a, F: Float> Knots<'a, F> {
     /// Averages neighbours that are nearer than a length, or lie beside each other rather than
     /// behind each other.
     fn pool(&mut self, least: F) {
-        let (mut kept, mut held) = (0_usize, None::<Knot<F>>);
+        let (mut kept, mut held) = (0_usize, None::<PointAverage<F>>);
         for k in 0..self.count {
             let Some(mut knot) = self.knot(k) else { break };
             while let Some(before) = held {
@@ -224,14 +230,14 @@ impl<'a, F: Float> Knots<'a, F> {
             let share = (length - knot.length) / (other.length - knot.length);
             let [[y, z], [v, w]] = [knot.point, other.point];
             let point = [y + (v - y) * share, z + (w - z) * share];
-            self.set(k, Knot { length, point, ..knot });
+            self.set(k, PointAverage { length, point, ..knot });
         }
     }
 
     /// The average of points of a parabola lies beside it, by half the second derivative times the
     /// variance of their lengths. Moves all knots back.
     fn straighten(&mut self) {
-        let mut last: Option<Knot<F>> = None;
+        let mut last: Option<PointAverage<F>> = None;
         for k in 0..self.count {
             let Some(here) = self.knot(k) else { break };
             if let (Some(last), Some(next)) = (last, self.knot(k + 1)) {
@@ -240,7 +246,7 @@ impl<'a, F: Float> Knots<'a, F> {
                 let [[a, b], [c, d], [e, f]] = [last.point, here.point, next.point];
                 let bend = |a: F, c: F, e: F| half * ((e - c) / to - (c - a) / from);
                 let point = [c - bend(a, c, e), d - bend(b, d, f)];
-                self.set(k, Knot { point, ..here });
+                self.set(k, PointAverage { point, ..here });
             }
             last = Some(here);
         }
@@ -259,8 +265,8 @@ impl<'a, F: Float> Knots<'a, F> {
 
     /// The parabola about a knot.
     fn parabola(&self, centre: usize, smoothing: F) -> Option<[F; 2]> {
-        let Knot { length: origin, point: middle, .. } = self.knot(centre)?;
-        let away = |knot: Knot<F>| (knot.length - origin) / smoothing;
+        let PointAverage { length: origin, point: middle, .. } = self.knot(centre)?;
+        let away = |knot: PointAverage<F>| (knot.length - origin) / smoothing;
         let mut first = centre;
         while first > 0 && away(self.knot(first - 1)?) > -F::one() {
             first -= 1;

@@ -18,7 +18,7 @@
 //! ```
 
 use super::roller::Roller;
-use super::surface::Place;
+use super::surface::CurvePoint;
 use super::{Position, WheelPair, sine_cosine};
 use crate::number::{Float, Strips};
 
@@ -103,15 +103,15 @@ impl<F: Float> Wheel<F> {
     }
 
     /// That of a pair, over its rail.
-    pub fn of(pair: &WheelPair<F>, position: &Position<F>) -> Self {
-        let roller = Roller::of(pair, position);
+    pub fn of_pair(pair: &WheelPair<F>, position: &Position<F>) -> Self {
+        let roller = Roller::new(pair, position);
         Self { roller, ..Self::new(pair.wheel_radius, position) }
     }
 
     /// The line of contact at points of the profile.
     #[inline(always)]
-    pub fn line_of_contact<P: Strips<F>>(&self, point: &Place<P>) -> Line<P> {
-        let Place { y, z, cosine, sine } = *point;
+    pub fn line_of_contact<P: Strips<F>>(&self, point: &CurvePoint<P>) -> Line<P> {
+        let CurvePoint { y, z, cosine, sine } = *point;
         let size = (cosine.squared() + sine.squared()).sqrt();
         let per_cosine = cosine.inverse();
         // sin θ = −tan α tan yaw
@@ -153,8 +153,8 @@ impl<F: Float> Wheel<F> {
     /// The radius of curvature along `x` at points of the profile with these curvatures, positive
     /// where the wheel is convex.
     #[inline(always)]
-    pub fn rolling_radius<P: Strips<F>>(&self, point: &Place<P>, curvature: P) -> P {
-        let Place { z, cosine, sine, .. } = *point;
+    pub fn rolling_radius<P: Strips<F>>(&self, point: &CurvePoint<P>, curvature: P) -> P {
+        let CurvePoint { z, cosine, sine, .. } = *point;
         let per_cosine = cosine.inverse();
         let size = (cosine.squared() + sine.squared()).sqrt();
         let radius = (P::all(self.radius) + z) * size * per_cosine;

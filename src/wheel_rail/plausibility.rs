@@ -16,7 +16,7 @@
 
 use super::WheelPair;
 use super::contacts::WheelContact;
-use super::surface::{Place, Surface};
+use super::surface::{CurvePoint, Surface};
 use crate::contact::plausibility::{LARGEST_FRICTION, LARGEST_PRESSURE, LARGEST_RADIUS};
 use crate::number::Float;
 use crate::status::Warning;
@@ -57,8 +57,8 @@ impl<F: Float> Surface<F> {
         let middle = middle.unwrap_or(count);
         // height over the flat part of the first steep place on a side, negative above; of the
         // farthest above
-        let below = |place: Place<F>| place.z - z;
-        let is_steep = |place: &Place<F>| {
+        let below = |place: CurvePoint<F>| place.z - z;
+        let is_steep = |place: &CurvePoint<F>| {
             place.sine.abs() > F::of(STEEP) && below(*place).abs() > F::of(SHALLOW)
         };
         let left = || (0..middle).rev().filter_map(point).filter(is_steep).map(below);
@@ -97,7 +97,7 @@ impl<F: Float> Surface<F> {
 }
 
 /// What is implausible about a wheel on a rail and their contacts; the profiles are examined first.
-pub(super) fn implausibility<F: Float>(
+pub(super) fn implausibility_of_wheel<F: Float>(
     rail: &Surface<F>,
     wheel: &Surface<F>,
     pair: &WheelPair<F>,

@@ -4,15 +4,15 @@
 //!    profile. Points are not assumed to ascend along it.
 //! 2. [Knots] are the points in ascending order of this length, averaged where they are crowded or
 //!    scatter, and smoothed where this is asked for.
-//! 3. A [curve](Curve) leads through the knots, cubic between them.
+//! 3. A [curve](Interpolant) leads through the knots, cubic between them.
 //! 4. The prepared points are points of the curve at equal chords.
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use super::curve::distance;
-use super::curve::{Chords, Curve};
+use super::curve::{Chords, Interpolant};
 use super::knots::{Knots, SINGLE};
 use super::spine::Polyline;
-use super::surface::{Place, Surface};
+use super::surface::{CurvePoint, Surface};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 
@@ -87,30 +87,30 @@ impl<F: Float> Surface<F> {
         let mut smoothing = smoothing_length;
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
         if smoothing <= F::zero() && y.len() + 2 <= SINGLE {
-            knots.gather(false, &line, radius, y, z);
-            chords = Curve(&knots).equal_chords(wanted, most);
+            knots.collect_points(false, &line, radius, y, z);
+            chords = Interpolant(&knots).equal_chords(wanted, most);
         }
         if chords.are_equal {
             // (the knots stand where the points go)
             line.count = 0;
-            Curve(&knots).walk(chords.length, |k, point| {
+            Interpolant(&knots).walk(chords.length, |k, point| {
                 line.count = line.count.min(k);
                 line.push(F::zero(), point);
             });
             let points = line.points.iter().take(line.count).enumerate();
             points.for_each(|(k, point)| self.put(chords.count, is_reversed, k, *point));
         } else {
-            knots.gather(true, &line, radius, y, z);
+            knots.collect_points(true, &line, radius, y, z);
             for _ in 0..ATTEMPTS {
                 knots.smooth(smoothing, &mut line);
-                chords = Curve(&line).equal_chords(wanted, most);
+                chords = Interpolant(&line).equal_chords(wanted, most);
                 if chords.are_equal {
                     break;
                 }
                 smoothing = wanted.times(2.0).max(smoothing.times(1.5));
             }
             let put = |k, point| self.put(chords.count, is_reversed, k, point);
-            Curve(&line).walk(chords.length, put);
+            Interpolant(&line).walk(chords.length, put);
         }
         self.step = chords.length;
         self.count = chords.count as u32 + 1;
@@ -125,6 +125,6 @@ impl<F: Float> Surface<F> {
     fn put(&mut self, chords: usize, is_reversed: bool, k: usize, [y, z]: [F; 2]) {
         let k = k.min(chords);
         let k = if is_reversed { chords - k } else { k };
-        self.set_point(k, Place { y, z, cosine: F::zero(), sine: F::zero() });
+        self.set_point(k, CurvePoint { y, z, cosine: F::zero(), sine: F::zero() });
     }
 }

@@ -42,7 +42,7 @@ pub(super) struct Over<F> {
 
 impl<F: Float> Roller<F> {
     /// That of a pair; none where the rail is straight.
-    pub fn of(pair: &WheelPair<F>, position: &Position<F>) -> Option<Self> {
+    pub fn new(pair: &WheelPair<F>, position: &Position<F>) -> Option<Self> {
         let WheelPair { rail_radius: radius, rail_ahead: ahead, wheel_radius, .. } = *pair;
         let vertical = position.vertical;
         (radius > F::zero()).then_some(Self { radius, ahead, vertical, wheel_radius })

@@ -116,7 +116,7 @@ impl<F: Float> Scene<'_, F> {
 
     /// What is implausible about the scene and the contacts that were found.
     pub(super) fn plausibility(&self, memory: &Workspace<F>) -> Warning {
-        plausibility::implausibility(self.rail, self.wheel, self.pair, memory.found())
+        plausibility::implausibility_of_wheel(self.rail, self.wheel, self.pair, memory.found())
     }
 
     fn with_slopes(

@@ -26,7 +26,7 @@ pub(super) struct Polyline<F> {
 }
 
 /// The point of a polyline that is nearest to another point.
-pub(super) struct Foot<F> {
+pub(super) struct NearestPoint<F> {
     /// The segment, by the number of the point at which it begins.
     pub segment: usize,
     /// Its length from the beginning of the polyline \[m\]. The first and the last segment have no
@@ -173,7 +173,7 @@ impl<F: Float> Polyline<F> {
 
     /// The foot of a point on a segment.
     #[inline(always)]
-    fn foot(&self, segment: usize, point: [F; 2]) -> Option<Foot<F>> {
+    fn foot(&self, segment: usize, point: [F; 2]) -> Option<NearestPoint<F>> {
         let (from, [y, z]) = self.get(segment)?;
         let (to, [v, w]) = self.get(segment + 1)?;
         let width = to - from;
@@ -185,13 +185,13 @@ impl<F: Float> Polyline<F> {
         let is_outside =
             (segment == 0 && length < F::zero()) || (segment + 2 == self.count && length > width);
         let length = from + if is_outside { length } else { within };
-        Some(Foot { segment, length, squared_distance: across.squared() + down.squared() })
+        Some(NearestPoint { segment, length, squared_distance: across.squared() + down.squared() })
     }
 
     /// The foot of a point. The search begins at a segment and goes downhill; where this leads to
     /// none within the radius, all segments are compared.
-    pub(super) fn nearest(&self, point: [F; 2], segment: usize, radius: F) -> Foot<F> {
-        let far = Foot { segment: 0, length: F::zero(), squared_distance: F::LARGEST };
+    pub(super) fn nearest(&self, point: [F; 2], segment: usize, radius: F) -> NearestPoint<F> {
+        let far = NearestPoint { segment: 0, length: F::zero(), squared_distance: F::LARGEST };
         let mut best = self.foot(segment, point).unwrap_or(far);
         let segments = self.count.saturating_sub(1);
         for _ in 0..segments {

@@ -33,7 +33,7 @@ pub struct Surface<F> {
 
 /// A point of a curve and its derivative with respect to the length.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place<F> {
+pub(crate) struct CurvePoint<F> {
     pub y: F,
     pub z: F,
     pub cosine: F,
@@ -77,8 +77,8 @@ impl<F: Float> Surface<F> {
 
     /// A point by its number.
     #[inline(always)]
-    pub(crate) fn point(&self, k: usize) -> Option<Place<F>> {
-        Some(Place {
+    pub(crate) fn point(&self, k: usize) -> Option<CurvePoint<F>> {
+        Some(CurvePoint {
             y: *self.y.get(k)?,
             z: *self.z.get(k)?,
             cosine: *self.cosine.get(k)?,
@@ -87,7 +87,7 @@ impl<F: Float> Surface<F> {
     }
 
     /// Replaces a point.
-    pub(super) fn set_point(&mut self, k: usize, place: Place<F>) {
+    pub(super) fn set_point(&mut self, k: usize, place: CurvePoint<F>) {
         let Self { y, z, cosine, sine, .. } = self;
         let lists = [y, z, cosine, sine].into_iter();
         for (list, value) in lists.zip([place.y, place.z, place.cosine, place.sine]) {
@@ -99,11 +99,16 @@ impl<F: Float> Surface<F> {
 
     /// Points side by side, by their numbers.
     #[inline(always)]
-    pub(crate) fn points<P: Strips<F>>(&self, numbers: impl Fn(usize) -> usize) -> Place<P> {
+    pub(crate) fn points<P: Strips<F>>(&self, numbers: impl Fn(usize) -> usize) -> CurvePoint<P> {
         let of = |list: &[F; KSTRIP_SURFACE_CAPACITY]| {
             P::gather(|i| list.get(numbers(i)).copied().unwrap_or(F::zero()))
         };
-        Place { y: of(&self.y), z: of(&self.z), cosine: of(&self.cosine), sine: of(&self.sine) }
+        CurvePoint {
+            y: of(&self.y),
+            z: of(&self.z),
+            cosine: of(&self.cosine),
+            sine: of(&self.sine),
+        }
     }
 
     /// The curvature of a wheel's profile, positive where it is convex, at a share of the way from
@@ -124,14 +129,19 @@ impl<F: Float> Surface<F> {
     /// The place of the curve at a share of the way from a point to the next; none past the last
     /// point.
     #[inline(always)]
-    pub(crate) fn place(&self, k: usize, share: F) -> Option<Place<F>> {
+    pub(crate) fn place(&self, k: usize, share: F) -> Option<CurvePoint<F>> {
         let from = self.point(k).filter(|_| k < self.count as usize)?;
         if share == F::zero() {
             return Some(from);
         }
         let [y, z] = Piece::new(from, self.point(k + 1)?, self.step).at(share);
         let per_step = F::one() / self.step;
-        Some(Place { y: y.value, z: z.value, cosine: y.slope * per_step, sine: z.slope * per_step })
+        Some(CurvePoint {
+            y: y.value,
+            z: z.value,
+            cosine: y.slope * per_step,
+            sine: z.slope * per_step,
+        })
     }
 }
 
@@ -144,7 +154,7 @@ pub(crate) struct Piece<T> {
 
 impl<T: Arithmetic> Piece<T> {
     #[inline(always)]
-    pub(crate) fn new(from: Place<T>, to: Place<T>, step: T) -> Self {
+    pub(crate) fn new(from: CurvePoint<T>, to: CurvePoint<T>, step: T) -> Self {
         Self {
             y: Cubic::new([from.y, to.y], [from.cosine * step, to.cosine * step]),
             z: Cubic::new([from.z, to.z], [from.sine * step, to.sine * step]),

@@ -6,7 +6,7 @@
 //! tread.
 
 use super::line_of_contact::Wheel;
-use super::surface::{Place, Surface};
+use super::surface::{CurvePoint, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
@@ -141,10 +141,10 @@ impl<F: Float> Above<'_, F> {
         let zero = F::zero();
         // (where there is no place, one at which no wheel touches)
         let found = places.map(|(k, share)| self.profile.place(k, share));
-        let of = |member: fn(&Place<F>) -> F| {
+        let of = |member: fn(&CurvePoint<F>) -> F| {
             P::gather(|i| found.get(i).and_then(Option::as_ref).map_or(zero, member))
         };
-        let profile = Place {
+        let profile = CurvePoint {
             y: of(|place| place.y),
             z: of(|place| place.z),
             cosine: of(|place| place.cosine),
@@ -232,7 +232,7 @@ pub(crate) fn touch_of_pair<F: Float>(
     gap: &mut Gap<F>,
 ) -> Result<F, Error> {
     position.check()?;
-    search(rail, wheel, Wheel::of(pair, position), position, reach, gap)
+    search(rail, wheel, Wheel::of_pair(pair, position), position, reach, gap)
 }
 
 fn search<F: Float>(
@@ -307,7 +307,7 @@ pub(super) fn lowered<F: Float>(
     rail.check()?;
     wheel.check()?;
     position.check()?;
-    let turned = Wheel::of(pair, position);
+    let turned = Wheel::of_pair(pair, position);
     let (points, mut k) = (rail.count as usize, 0);
     let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
     let mut least: Option<[F; 2]> = None;

@@ -92,7 +92,7 @@ impl<F: Float> Wrench<F> {
 /// Computes the wrench of contacts, and, on request, its derivatives.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; those of [`solver::solve`], [`patch::friction::solve`] and
+/// [`Error::NotFinite`]; those of [`solver::solve_patch`], [`patch::friction::solve_patch_with_law`] and
 /// [`StoredPatch::view`](patch::StoredPatch::view).
 pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
@@ -147,7 +147,7 @@ pub fn of_contacts<F: Float>(
                 }
             };
             let Solution { power, warning, .. } = carried;
-            let force = forces(&carried).map(|force| force * contact.share);
+            let force = carried.components().map(|force| force * contact.share);
             // of unlike materials, pressure moves the surfaces as well
             let dissipation = if contact.patch.mismatch == zero {
                 dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
@@ -242,10 +242,6 @@ struct Carried<F> {
     warning: Warning,
 }
 
-fn forces<F: Float>(found: &Solution<F>) -> [F; 3] {
-    [found.fx, found.fy, found.mz]
-}
-
 impl<F: Float> Pressed<'_, F> {
     /// Creep forces on the rail.
     fn carried(self, rolling: &Rolling<F>, law: Law<F>) -> Result<Solution<F>, Error> {
@@ -254,11 +250,12 @@ impl<F: Float> Pressed<'_, F> {
         let [forward, backward] =
             self.each_end(rolling, ratio, |patch, creepage, _| match &falling {
                 Some(falling) => {
-                    Ok(patch::friction::solve(patch, creepage, falling, law.model)?.solution)
+                    Ok(patch::friction::solve_patch_with_law(patch, creepage, falling, law.model)?
+                        .solution)
                 }
-                None => solver::solve(patch, creepage, law.model),
+                None => solver::solve_patch(patch, creepage, law.model),
             })?;
-        Ok(joined(rolling, forward, backward))
+        Ok(joined_solutions(rolling, forward, backward))
     }
 
     /// The same with their derivatives with respect to motion. The derivative with respect to
@@ -271,7 +268,7 @@ impl<F: Float> Pressed<'_, F> {
         let falling = at_speed(law, rolling.speed);
         let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>, _: bool| {
             let mut found =
-                patch::friction::differentiate(patch, creepage, falling.as_ref(), law.model)?;
+                patch::friction::differentiate_patch(patch, creepage, falling.as_ref(), law.model)?;
             let (load, bound) = (patch.normal_force(), patch.friction_bound());
             let mean = if load > F::zero() { bound / load } else { F::zero() };
             found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
@@ -284,12 +281,16 @@ impl<F: Float> Pressed<'_, F> {
         if !slopes.entries().all(F::is_finite_number) {
             return Err(Error::Overflow);
         }
-        Ok((joined(rolling, forward.solution, backward.solution), slopes))
+        Ok((joined_solutions(rolling, forward.solution, backward.solution), slopes))
     }
 }
 
-fn joined<F: Float>(rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>) -> Solution<F> {
-    let [fx, fy, mz] = rolling.both(forces(&ahead), forces(&behind));
+fn joined_solutions<F: Float>(
+    rolling: &Rolling<F>,
+    ahead: Solution<F>,
+    behind: Solution<F>,
+) -> Solution<F> {
+    let [fx, fy, mz] = rolling.both_ends(ahead.components(), behind.components());
     let warning = ahead.warning.worse(behind.warning);
     let power = rolling.mean(ahead.power, behind.power);
     Solution { fx, fy, mz, power, warning, ..ahead }

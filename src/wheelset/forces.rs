@@ -1,7 +1,7 @@
 //! Forces on a wheelset and on its rails, and their derivatives.
 
 use super::KSTRIP_WHEELSET_FREEDOMS;
-use super::kinematics::{Kinematics, Side, Ten, transposed};
+use super::kinematics::{Kinematics, Side, Ten, transposed_times};
 use crate::number::{Float, add, are_finite};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::scene::{Scene, Workspace};
@@ -55,7 +55,7 @@ pub struct WheelsetByPosition<F> {
 }
 
 /// What a wheel contributes to the requested derivatives.
-pub(super) struct Sums<'a, F> {
+pub(super) struct RequestedDerivatives<'a, F> {
     pub by_velocity: Option<&'a mut WheelsetDerivatives<F>>,
     pub by_position: Option<&'a mut WheelsetByPosition<F>>,
 }
@@ -63,7 +63,7 @@ pub(super) struct Sums<'a, F> {
 impl<F: Float> WheelsetDerivatives<F> {
     /// All zero.
     #[must_use]
-    pub fn zero() -> Self {
+    pub fn nothing() -> Self {
         Self {
             velocity: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
             friction: [F::zero(); KSTRIP_WHEELSET_FREEDOMS],
@@ -74,7 +74,7 @@ impl<F: Float> WheelsetDerivatives<F> {
 impl<F: Float> WheelsetByPosition<F> {
     /// All zero.
     #[must_use]
-    pub fn zero() -> Self {
+    pub fn nothing() -> Self {
         Self { position: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS] }
     }
 }
@@ -102,15 +102,15 @@ impl<F: Float> Wheelset<'_, F> {
         by_velocity: Option<&mut WheelsetDerivatives<F>>,
         by_position: Option<&mut WheelsetByPosition<F>>,
     ) -> Result<WheelsetForces<F>, Error> {
-        let mut sums = Sums { by_velocity, by_position };
+        let mut sums = RequestedDerivatives { by_velocity, by_position };
         position.check()?;
         let own = velocity.members();
         Error::NotFinite.unless(are_finite(&own))?;
         if let Some(sums) = &mut sums.by_velocity {
-            **sums = WheelsetDerivatives::zero();
+            **sums = WheelsetDerivatives::nothing();
         }
         if let Some(sums) = &mut sums.by_position {
-            **sums = WheelsetByPosition::zero();
+            **sums = WheelsetByPosition::nothing();
         }
         let zero = F::zero();
         let nothing = Wrench {
@@ -131,7 +131,7 @@ impl<F: Float> Wheelset<'_, F> {
             side.motion.check()?;
             let kinematics = Kinematics::new(*side, position);
             *wheel = one_wheel(scene, &kinematics, &own, memory, &mut sums)?;
-            let ten = transposed(&kinematics.columns(), &wheel.members());
+            let ten = transposed_times(&kinematics.columns(), &wheel.members());
             add(&mut sum.force, ten);
             add(&mut sum.moment, ten.into_iter().skip(3));
             sum.dissipation += wheel.dissipation;
@@ -151,12 +151,12 @@ fn one_wheel<F: Float>(
     kinematics: &Kinematics<F>,
     own: &[F; 6],
     memory: &mut Workspace<F>,
-    sums: &mut Sums<'_, F>,
+    sums: &mut RequestedDerivatives<'_, F>,
 ) -> Result<Wrench<F>, Error> {
     let (position, velocity) = (kinematics.position(), kinematics.velocity(own));
     let pair = kinematics.pair(scene.pair);
     let scene = &Scene { pair: &pair, ..*scene };
-    let Sums { by_velocity, by_position } = sums;
+    let RequestedDerivatives { by_velocity, by_position } = sums;
     if by_velocity.is_none() && by_position.is_none() {
         return scene.solve(&position, &velocity, memory, None, None);
     }
@@ -171,10 +171,10 @@ fn one_wheel<F: Float>(
     let wrench = scene.solve(&position, &velocity, memory, Some(&mut by), wanted)?;
     let columns = kinematics.columns();
     if let Some(sums) = by_velocity {
-        add(&mut sums.friction, transposed(&columns, &by.friction));
+        add(&mut sums.friction, transposed_times(&columns, &by.friction));
         for (k, column) in columns.iter().enumerate() {
             let change = by.velocity.map(|row| dot(&row, column));
-            add_column(&mut sums.velocity, k, &transposed(&columns, &change));
+            add_column(&mut sums.velocity, k, &transposed_times(&columns, &change));
         }
     }
     if let Some(sums) = by_position {
@@ -221,7 +221,7 @@ fn by_freedom<F: Float>(
     for (column, rate) in turned.iter().zip([roll_rate, yaw_rate]) {
         add(&mut change, by.velocity.map(|row| dot(&row, column) * rate));
     }
-    let mut column = transposed(columns, &change);
+    let mut column = transposed_times(columns, &change);
     let members = wrench.members();
     let [in_roll, in_yaw] = turned.map(|column| dot(&column, &members));
     let [_, _, _, roll, _, yaw, ..] = &mut column;

@@ -94,7 +94,8 @@ impl<F: Float> Wheelset<'_, F> {
         let least = F::EPSILON.cube_root().squared();
         let (slow, fast) = (F::of(SLOW_SLIP), speed.abs().times(SLIP));
         let (farthest, quickest) = (F::of(FARTHEST), (slow + fast) / radius);
-        let (mut slopes, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
+        let (mut slopes, mut moved) =
+            (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
         let mut rest = [F::zero(); 3];
         'steps: for _ in 0..STEPS {
             let forces = self.solve(&here, &moves, memory, Some(&mut slopes), Some(&mut moved))?;
@@ -121,7 +122,9 @@ impl<F: Float> Wheelset<'_, F> {
                 by
             };
             let [right, left] = [by_height(width), by_height(-width)];
-            let Some(step) = solved(right, left, column(&slopes.velocity, 4), rest) else { break };
+            let Some(step) = by_cramers_rule(right, left, column(&slopes.velocity, 4), rest) else {
+                break;
+            };
             let [right, left, pitch] = step;
             // both heights keep their ratio
             let most = right.abs().max(left.abs());
@@ -206,7 +209,7 @@ impl<F: Float> Wheelset<'_, F> {
 }
 
 /// Cramer's rule for the columns of a matrix; none where they have no volume.
-fn solved<F: Float>(a: [F; 3], b: [F; 3], c: [F; 3], right: [F; 3]) -> Option<[F; 3]> {
+fn by_cramers_rule<F: Float>(a: [F; 3], b: [F; 3], c: [F; 3], right: [F; 3]) -> Option<[F; 3]> {
     let volume = dot(&a, &cross(b, c));
     let found = [dot(&right, &cross(b, c)), dot(&a, &cross(right, c)), dot(&a, &cross(b, right))]
         .map(|part| part / volume);

@@ -15,7 +15,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::ffi;
 use kstrip::forces::{self, Field, Model, Options, StripResult};
 use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::status::Warning;
 use kstrip::strip_1967::strip::State;
 use std::collections::{BTreeMap, BTreeSet};
@@ -549,7 +549,8 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     for row in &curve {
         let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };
         let motion = Creepage { longitudinal: -slip, lateral: 0.0, spin: 0.0 };
-        let found = differentiate(&CONTACT, &motion, Some(&law), &options).expect("forces");
+        let found =
+            differentiate_with_law(&CONTACT, &motion, Some(&law), &options).expect("forces");
         let by_slip = found.derivatives.jacobian[0][0];
         // Seven digits of the slip are printed
         let allowed = 1e-6 * slip * by_slip.abs() + 1e-4;
@@ -621,7 +622,7 @@ fn a_measured_curve_is_fitted() {
         let [creepage, clean, fitted, by_contact] = row[..] else { panic!("{row:?}") };
         let motion = Creepage { longitudinal: creepage / 100.0, lateral: 0.0, spin: 0.0 };
         let force = |law| {
-            let found = differentiate(&contact, &motion, law, &options).expect("forces");
+            let found = differentiate_with_law(&contact, &motion, law, &options).expect("forces");
             found.solution.fx / contact.normal_force
         };
         assert_printed(clean, force(None), 5, "clean bodies");

@@ -84,7 +84,8 @@ fn example_prints_what_rust_computes() {
     close(rail[1], forces.fy, 4);
     close(rail[2], forces.mz, 6);
     assert_eq!(wheel.iter().map(|v| -v).collect::<Vec<_>>(), *rail);
-    let (_, all) = derivatives::solve(&contact, &motion, &options).expect("a solution");
+    let (_, all) =
+        derivatives::forces_and_derivatives(&contact, &motion, &options).expect("a solution");
     let printed = &numbers(text, "derivatives")[0];
     close(printed[0], all.jacobian[1][1], 4);
     close(printed[1], all.normal_force[0], 9);
@@ -106,7 +107,7 @@ fn example_prints_what_rust_computes() {
         slide_factor: 0.0,
         layer: 0.0,
     };
-    let solution = friction::solve(&contact, &motion, &wet, &options).expect("a solution");
+    let solution = friction::solve_with_law(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
     close(numbers(text, "wet")[0][1], solution.friction, 6);
     // At rest slip over the floor of the speed, .02 m/s, is the creepage

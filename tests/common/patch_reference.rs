@@ -176,8 +176,10 @@ impl Case {
         for motion in &self.motions {
             let creepage = self.creepage(motion);
             let found = match law {
-                Some(law) => friction::solve(&view, &creepage, law, model).unwrap().solution,
-                None => solver::solve(&view, &creepage, model).unwrap(),
+                Some(law) => {
+                    friction::solve_patch_with_law(&view, &creepage, law, model).unwrap().solution
+                }
+                None => solver::solve_patch(&view, &creepage, model).unwrap(),
             };
             let [fx, fy] = motion.force;
             errors.force.push((found.fx / bound - fx).hypot(found.fy / bound - fy));

@@ -19,7 +19,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::field::FieldPoint;
 use kstrip::forces::{self, Field, Model, Options, Solution, StripResult};
 use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::{Differentiated, differentiate};
+use kstrip::friction::derivatives::{Differentiated, differentiate_with_law};
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Profile, ProfileContact};
 use kstrip::patch::field::PatchField;
@@ -205,7 +205,7 @@ impl<F: Bits> Case<'_, F> {
     /// Derivatives and three points of the field.
     fn field(&self, hash: &mut Hash) {
         let Self { contact, creepage, options, .. } = *self;
-        hash.derivatives(&differentiate(contact, creepage, None, options));
+        hash.derivatives(&differentiate_with_law(contact, creepage, None, options));
         for n in [-1.0, 0.0, 1.0] {
             let place = |axis: F, parts: f64| axis * F::of(n) / F::of(parts);
             let field = Field::new(contact, creepage, options);
@@ -288,17 +288,17 @@ impl<F: Bits> Case<'_, F> {
         let Some(view) = hash.status(patch.view().map(|view| (view, Warning::None))) else {
             return;
         };
-        let area = view.area() * view.scale().area;
+        let area = view.area() * view.quadrature().area;
         hash.add(&[view.normal_force(), view.friction_bound(), area]);
         hash.mix(view.lobes().count() as u64);
         for s in view.strips() {
             let PatchStrip { y, width, half_length, centre_x, peak_pressure, friction } = *s;
             hash.add(&[y, width, half_length, centre_x, peak_pressure, friction]);
         }
-        let found = patch_friction::differentiate(&view, creepage, None, *model);
+        let found = patch_friction::differentiate_patch(&view, creepage, None, *model);
         hash.derivatives(&found);
         let mut strips = Vec::new();
-        let status = solver::strips(&view, creepage, *model, &mut |s| strips.push(s));
+        let status = solver::patch_strips(&view, creepage, *model, &mut |s| strips.push(s));
         hash.strips(status.map_or_else(Error::code, Warning::code), &strips);
         for s in view.strips().iter().step_by(3) {
             let x = s.centre_x - s.half_length / F::of(4.0);
@@ -319,7 +319,7 @@ impl<F: Bits> Case<'_, F> {
             slide_factor: F::zero(),
             layer: F::zero(),
         };
-        let found = differentiate(contact, creepage, Some(&law), options);
+        let found = differentiate_with_law(contact, creepage, Some(&law), options);
         hash.derivatives(&found);
         if let Ok(found) = found {
             hash.add(&[found.friction]);
@@ -331,7 +331,7 @@ impl<F: Bits> Case<'_, F> {
         }
         let Some(patch) = patch else { return };
         let view = patch.view().expect("as it was built");
-        let found = patch_friction::differentiate(&view, creepage, Some(&law), options.model);
+        let found = patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
         hash.derivatives(&found);
         if let Ok(found) = found {
             hash.add(&[found.friction]);

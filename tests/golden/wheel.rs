@@ -10,7 +10,7 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{Model, Options};
 use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, friction as patch_friction};
@@ -257,7 +257,8 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
                 let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(F::of);
                 let creepage = Creepage { longitudinal, lateral, spin };
                 for law in [None, Some(&law)] {
-                    let found = patch_friction::differentiate(&view, &creepage, law, Model::Strip);
+                    let found =
+                        patch_friction::differentiate_patch(&view, &creepage, law, Model::Strip);
                     hash.derivatives(&found);
                 }
             }
@@ -292,7 +293,7 @@ fn hash_ellipses<F: Bits>(hash: &mut Hash) {
                 let creepage = Creepage { longitudinal, lateral, spin };
                 let options = Options { model, strips: StripCount::Sixteen };
                 for law in [None, Some(&law)] {
-                    hash.derivatives(&differentiate(&contact, &creepage, law, &options));
+                    hash.derivatives(&differentiate_with_law(&contact, &creepage, law, &options));
                 }
             }
         }

@@ -93,7 +93,7 @@ fn nothing_pulls_and_nothing_jumps() {
 #[test]
 fn derivatives_are_those_of_differences() {
     let (mut stand, position) = on_two_points();
-    let falling = SlipFriction { ratio: 0.4, decay: 0.6, ..SlipFriction::constant(0.3) };
+    let falling = SlipFriction { ratio: 0.4, decay: 0.6, ..SlipFriction::of_constant(0.3) };
     for (law, forward, vertical) in
         [(None, 20.0, 0.3), (Some(falling), 20.0, -0.4), (None, 0.0, 0.1), (None, -5.0, -0.2)]
     {

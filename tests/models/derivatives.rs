@@ -236,7 +236,7 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         let size = random.log_between(1e-3, 3.0);
         let p = [0; 3].map(|_| size * random.between(-1.0, 1.0));
         let m = theory::creepage(&c, p[0], p[1], p[2]);
-        let (solution, d) = derivatives::solve(&c, &m, &o).unwrap();
+        let (solution, d) = derivatives::forces_and_derivatives(&c, &m, &o).unwrap();
         let (same, j) = forces::solve_jacobian(&c, &m, &o).unwrap();
         let rows = std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]));
         assert_eq!((solution, d.jacobian), (same, rows), "{o:?}");
@@ -275,7 +275,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
         let o = options(model, StripCount::Sixteen);
         for (load, friction) in [(0.0, 0.3), (full.normal_force, 0.0), (0.0, 0.0)] {
             let c = Contact { normal_force: load, friction, ..full };
-            let (s, d) = derivatives::solve(&c, &m, &o).unwrap();
+            let (s, d) = derivatives::forces_and_derivatives(&c, &m, &o).unwrap();
             if model == Model::Linear {
                 assert_eq!((d.normal_force, d.friction), ([0.0; 3], [0.0; 3]));
                 continue;
@@ -308,8 +308,12 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
     let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
     for model in Model::ALL {
         for c in [full, Contact { friction: 0.0, ..full }, Contact { normal_force: 0.0, ..full }] {
-            let (_, d) =
-                derivatives::solve(&c, &rest, &options(model, StripCount::Sixteen)).unwrap();
+            let (_, d) = derivatives::forces_and_derivatives(
+                &c,
+                &rest,
+                &options(model, StripCount::Sixteen),
+            )
+            .unwrap();
             let all = [d.normal_force, d.friction, d.load_through_hertz];
             assert_eq!(all, [[0.0; 3]; 3], "{model:?}");
         }
@@ -326,7 +330,9 @@ fn derivatives_in_full_sliding() {
         let size = if model == Model::Strip { 30.0 } else { 0.3 };
         for (vx, vy) in [(size, 0.0), (0.0, -size)] {
             let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
-            let (_, d) = derivatives::solve(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+            let (_, d) =
+                derivatives::forces_and_derivatives(&c, &m, &options(model, StripCount::Sixteen))
+                    .unwrap();
             let direction =
                 [vx.signum() * f64::from(vx != 0.0), vy.signum() * f64::from(vy != 0.0)];
             for (i, direction) in direction.into_iter().enumerate() {
@@ -349,8 +355,8 @@ fn derivatives_in_single_precision() {
         let p = [0; 3].map(|_| random.between(-0.6, 0.6));
         let m = theory::creepage(&double, p[0], p[1], p[2]);
         let (single, motion) = (single::single(&double), single::single_motion(&m));
-        let (_, of_double) = derivatives::solve(&double, &m, &o).unwrap();
-        let (_, of_single) = derivatives::solve(&single, &motion, &o).unwrap();
+        let (_, of_double) = derivatives::forces_and_derivatives(&double, &m, &o).unwrap();
+        let (_, of_single) = derivatives::forces_and_derivatives(&single, &motion, &o).unwrap();
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let of_single = Derivatives {
                 jacobian: of_single.jacobian.map(|row| row.map(f64::from)),

@@ -101,7 +101,8 @@ fn fit(
 /// Root of the mean of the squares over the load of points below a creepage.
 fn rms(points: &[MeasuredForce<f64>], law: &SlipFriction<f64>, below: f64) -> f64 {
     let of = points.iter().filter(|p| p.longitudinal < below).map(|p| {
-        let found = friction::solve(&LOCOMOTIVE, &along(p.longitudinal), law, &total()).unwrap();
+        let found =
+            friction::solve_with_law(&LOCOMOTIVE, &along(p.longitudinal), law, &total()).unwrap();
         ((found.solution.fx - p.fx) / LOCOMOTIVE.normal_force).powi(2)
     });
     let squares: Vec<f64> = of.collect();
@@ -140,11 +141,11 @@ fn a_law_finds_itself() {
     let points: Vec<_> = (1..=30)
         .map(|i| {
             let creepage = along(0.01 * f64::from(i * i) / 30.0);
-            let found = friction::solve(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
+            let found = friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
             point(creepage.longitudinal, found.solution.fx)
         })
         .collect();
-    let start = SlipFriction { rolling_speed: 10.0, ratio: 0.9, ..SlipFriction::constant(0.0) };
+    let start = SlipFriction { rolling_speed: 10.0, ratio: 0.9, ..SlipFriction::of_constant(0.0) };
     let found = fit(&points, TWO, start);
     println!("{found:?}");
     for (found, truth) in [
@@ -157,12 +158,13 @@ fn a_law_finds_itself() {
         assert!((found / truth - 1.0).abs() < 1e-5, "{found} {truth}");
     }
     // so is a layer, and where lateral forces were measured too
-    let truth = SlipFriction { layer: 1.2e-13, ..SlipFriction::constant(0.3) };
+    let truth = SlipFriction { layer: 1.2e-13, ..SlipFriction::of_constant(0.3) };
     let points: Vec<_> = (1..=12)
         .map(|i| {
             let size = 2e-4 * f64::from(i * i);
             let m = Creepage { longitudinal: size, lateral: 0.5 * size, spin: 0.1 };
-            let found = friction::solve(&LOCOMOTIVE, &m, &truth, &total()).unwrap().solution;
+            let found =
+                friction::solve_with_law(&LOCOMOTIVE, &m, &truth, &total()).unwrap().solution;
             let Creepage { longitudinal, lateral, spin } = m;
             let (fx, fy) = (found.fx, found.fy);
             MeasuredForce {
@@ -177,7 +179,8 @@ fn a_law_finds_itself() {
             }
         })
         .collect();
-    let found = fit(&points, [true, false, false, false, false, true], SlipFriction::constant(0.0));
+    let found =
+        fit(&points, [true, false, false, false, false, true], SlipFriction::of_constant(0.0));
     assert!((found.law.layer / truth.layer - 1.0).abs() < 1e-5, "{found:?}");
     assert!((found.law.friction / truth.friction - 1.0).abs() < 1e-6);
     assert_eq!(found.warning, Warning::None);
@@ -194,7 +197,8 @@ fn standard_errors_are_those_of_the_noise() {
         let points: Vec<_> = (1..=60)
             .map(|i| {
                 let creepage = along(0.08 * (f64::from(i) / 60.0).powi(2));
-                let found = friction::solve(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
+                let found =
+                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
                 // nearly normal
                 let noise = (0..12).map(|_| random.between(-0.5, 0.5)).sum::<f64>();
                 point(creepage.longitudinal, found.solution.fx * (1.0 + 0.02 * noise))
@@ -219,18 +223,19 @@ fn standard_errors_are_those_of_the_noise() {
 /// Points in adhesion only bound friction from below.
 #[test]
 fn points_that_do_not_tell_are_named() {
-    let truth = SlipFriction { slope_factor: 0.3, ..SlipFriction::constant(0.35) };
+    let truth = SlipFriction { slope_factor: 0.3, ..SlipFriction::of_constant(0.35) };
     let points = |largest: f64| -> Vec<_> {
         (1..=20)
             .map(|i| {
                 let creepage = along(largest * f64::from(i) / 20.0);
-                let found = friction::solve(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
+                let found =
+                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
                 point(creepage.longitudinal, found.solution.fx)
             })
             .collect()
     };
     let which = [true, false, false, true, false, false];
-    let start = SlipFriction::constant(0.3);
+    let start = SlipFriction::of_constant(0.3);
     assert_eq!(fit(&points(1e-4), which, start).warning, Warning::Undetermined);
     assert_eq!(fit(&points(2e-2), which, start).warning, Warning::None);
     // measured points below 1 % do not tell how friction falls
@@ -245,7 +250,8 @@ fn bad_points_are_named() {
     let good = [point(1e-3, 10e3), point(1e-2, 30e3)];
     let which = [true, false, false, true, false, false];
     let of = |points: &[MeasuredForce<f64>], which| {
-        fit_friction(&LOCOMOTIVE, points, &SlipFriction::constant(0.3), which, &total()).map(|_| ())
+        fit_friction(&LOCOMOTIVE, points, &SlipFriction::of_constant(0.3), which, &total())
+            .map(|_| ())
     };
     assert_eq!(of(&good, which), Ok(()));
     assert_eq!(of(&good[..1], which), Err((1, Error::FewPoints)));
@@ -267,10 +273,10 @@ fn bad_points_are_named() {
         of(&[first, MeasuredForce { measured: 4, ..second }], which),
         Err((1, Error::Measured))
     );
-    let start = SlipFriction { layer: -1.0, ..SlipFriction::constant(0.3) };
+    let start = SlipFriction { layer: -1.0, ..SlipFriction::of_constant(0.3) };
     let found = fit_friction(&LOCOMOTIVE, &good, &start, which, &total());
     assert_eq!(found.map(|_| ()), Err((2, Error::Layer)));
-    let start = SlipFriction { slide_factor: 1.5, ..SlipFriction::constant(0.3) };
+    let start = SlipFriction { slide_factor: 1.5, ..SlipFriction::of_constant(0.3) };
     let found = fit_friction(&LOCOMOTIVE, &good, &start, which, &total());
     assert_eq!(found.map(|_| ()), Err((2, Error::SlideFactor)));
 }
@@ -309,7 +315,8 @@ fn polachs_sets_are_met() {
                     * x;
                 let polach = 2.0 * mu / std::f64::consts::PI
                     * (ka * eps / (1.0 + (ka * eps).powi(2)) + (ks * eps).atan());
-                let found = friction::solve(&c, &along(x), &law, &total()).unwrap().solution;
+                let found =
+                    friction::solve_with_law(&c, &along(x), &law, &total()).unwrap().solution;
                 errors.push((found.fx / c.normal_force - polach).abs() / friction);
             }
         }
@@ -327,14 +334,14 @@ fn friction_is_estimated_under_the_law() {
     let mut random = Random::new(312);
     for n in 0..60 {
         let law = match n % 3 {
-            0 => SlipFriction { slope_factor: 0.28, ..SlipFriction::constant(0.33) },
+            0 => SlipFriction { slope_factor: 0.28, ..SlipFriction::of_constant(0.33) },
             1 => SlipFriction { friction: 0.33, slide_factor: 0.4, ..START },
-            _ => SlipFriction { layer: 1.5e-13, ..SlipFriction::constant(0.33) },
+            _ => SlipFriction { layer: 1.5e-13, ..SlipFriction::of_constant(0.33) },
         };
         let creepage = [5e-4, 2e-3, 5e-3, 1.5e-2][n / 3 % 4];
         let spin = if n < 12 { 0.0 } else { random.between(-0.3, 0.3) };
         let m = Creepage { spin, ..along(creepage) };
-        let made = friction::solve(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
+        let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
         let other = SlipFriction { friction: f64::from(n as u32 % 7) * 0.1, ..law };
         let found = estimate_friction_under(
             &LOCOMOTIVE,
@@ -353,7 +360,7 @@ fn friction_is_estimated_under_the_law() {
         let (back, warning) =
             creepage_for_force_under(&LOCOMOTIVE, [made.fx, made.fy], spin, Some(&law), &total())
                 .unwrap();
-        let again = friction::solve(&LOCOMOTIVE, &back, &law, &total()).unwrap().solution;
+        let again = friction::solve_with_law(&LOCOMOTIVE, &back, &law, &total()).unwrap().solution;
         if warning == Warning::None {
             assert!(
                 (again.fx - made.fx).hypot(again.fy - made.fy) < 1e-6 * made.fx.abs(),

@@ -8,7 +8,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{self, Model, Options};
-use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::friction::{self, FrictionSolution, SlipFriction};
 use kstrip::status::{Error, Warning};
 use nalgebra::Matrix3;
@@ -23,7 +23,7 @@ pub fn with_slopes_under(
     law: &SlipFriction<f64>,
     o: &Options,
 ) -> Result<(FrictionSolution<f64>, Matrix3<f64>), Error> {
-    let found = differentiate(c, m, Some(law), o)?;
+    let found = differentiate_with_law(c, m, Some(law), o)?;
     let solution = FrictionSolution { solution: found.solution, friction: found.friction };
     Ok((solution, Matrix3::from(found.derivatives.jacobian).transpose()))
 }
@@ -88,7 +88,7 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
         ] {
             // The contact's own friction does not matter
             let other = Contact { friction: f64::NAN, ..c };
-            let found = friction::solve(&other, &m, &law, &o).unwrap();
+            let found = friction::solve_with_law(&other, &m, &law, &o).unwrap();
             assert_eq!((found.solution, found.friction), (plain, c.friction));
             let (found, jacobian) = with_slopes_under(&other, &m, &law, &o).unwrap();
             assert_eq!((found.solution, jacobian), with_slopes);
@@ -113,7 +113,7 @@ fn friction_agrees_with_the_slip() {
             slide_factor: 0.0,
             layer: 0.0,
         };
-        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         if found.solution.warning == Warning::NotConverged {
             continue;
         }
@@ -137,7 +137,7 @@ fn friction_that_all_but_vanishes_converges() {
         let (decay, rolling_speed) =
             (random.log_between(1e-2, 1e3), random.log_between(0.1, 300.0));
         let law = SlipFriction { friction: 0.3, ratio: 0.0, decay, rolling_speed, ..DRY };
-        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         assert_ne!(found.solution.warning, Warning::NotConverged, "{law:?} {c:?} {m:?} {o:?}");
     }
 }
@@ -148,13 +148,13 @@ fn full_sliding_is_polachs_law() {
     let c = contact(1.2, 0.28);
     for o in (0..4).map(any_options) {
         for slip in [0.05, 0.1, 0.3] {
-            let found = friction::solve(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+            let found = friction::solve_with_law(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
             let mu = 0.55 * (0.6 * (-0.6 * 20.0 * slip).exp() + 0.4);
             assert!((found.friction - mu).abs() < 4e-15, "{o:?} {slip}");
             assert!((found.solution.fx - mu * c.normal_force).abs() < 6e-15 * c.normal_force);
         }
         // No slip: full friction
-        let found = friction::solve(&c, &motion(0.0, 0.0, 0.0), &DRY, &o).unwrap();
+        let found = friction::solve_with_law(&c, &motion(0.0, 0.0, 0.0), &DRY, &o).unwrap();
         assert_eq!((found.friction, found.solution.fx), (0.55, 0.0));
     }
 }
@@ -170,7 +170,7 @@ fn slope_factor_stretches_the_creep_curve() {
             for size in [1e-6, 1e-3, 3e-3, 1.0] {
                 let m = motion(size, -0.4 * size, 30.0 * size);
                 let stretched = motion(k * size, -0.4 * k * size, 30.0 * k * size);
-                let found = friction::solve(&c, &m, &law, &o).unwrap().solution;
+                let found = friction::solve_with_law(&c, &m, &law, &o).unwrap().solution;
                 let plain = forces::forces_of_contact(&c, &stretched, &o).unwrap();
                 let size = plain.fx.abs() + plain.fy.abs();
                 assert!((found.fx - plain.fx).abs() < 5e-14 * size, "{model:?}");
@@ -204,7 +204,7 @@ fn derivatives_follow_friction_and_slip() {
             layer: 0.0,
         };
         let (found, exact) = with_slopes_under(&c, &m, &law, &o).unwrap();
-        let same = friction::solve(&c, &m, &law, &o).unwrap();
+        let same = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let bound = law.friction * c.normal_force;
         assert_eq!(found.friction, same.friction);
         assert!((found.solution.fx - same.solution.fx).abs() < 1e-13 * bound);
@@ -221,7 +221,9 @@ fn derivatives_follow_friction_and_slip() {
             let f = |t: f64| {
                 let mut q = [m.longitudinal, m.lateral, m.spin];
                 q[k] += t * units[k];
-                let s = friction::solve(&c, &motion(q[0], q[1], q[2]), &law, &o).unwrap().solution;
+                let s = friction::solve_with_law(&c, &motion(q[0], q[1], q[2]), &law, &o)
+                    .unwrap()
+                    .solution;
                 [s.fx / rows[0], s.fy / rows[1], s.mz / rows[2]]
             };
             let Some(got) = trusted_differences(&f, &size) else {
@@ -312,7 +314,7 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
             slide_factor: 0.0,
             layer: 0.0,
         };
-        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let all = solutions(&c, &m, &law, &o);
         if found.solution.warning == Warning::NotConverged {
             folds += 1;

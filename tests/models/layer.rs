@@ -8,7 +8,7 @@ use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{Model, Options, Solution};
-use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::linear::LinearCoefficients;
 use kstrip::patch::Patch;
@@ -19,7 +19,7 @@ const STEEL: f64 = 82e9;
 const POISSON: f64 = 0.28;
 
 fn law(friction: f64, slide_factor: f64, layer: f64) -> SlipFriction<f64> {
-    SlipFriction { slide_factor, layer, ..SlipFriction::constant(friction) }
+    SlipFriction { slide_factor, layer, ..SlipFriction::of_constant(friction) }
 }
 
 fn options(model: Model) -> Options {
@@ -32,7 +32,7 @@ fn forces(
     l: &SlipFriction<f64>,
     o: &Options,
 ) -> Solution<f64> {
-    friction::solve(c, m, l, o).unwrap().solution
+    friction::solve_with_law(c, m, l, o).unwrap().solution
 }
 
 /// `8 a/(3 C11 G)`, `8 a/(3 C22 G)`, `π a √(a/b)/(4 C23 G)` \[m/Pa\]
@@ -180,7 +180,10 @@ fn slopes_at_rest_are_those_of_springs_in_series() {
         let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
         let law = law(c.friction, 0.0, layer);
         let [[xx, ..], [_, yy, yz], _] =
-            differentiate(&c, &rest, Some(&law), &options(model)).unwrap().derivatives.jacobian;
+            differentiate_with_law(&c, &rest, Some(&law), &options(model))
+                .unwrap()
+                .derivatives
+                .jacobian;
         let stiffness = c.shear_modulus * c.a * c.b;
         let clean = [c11, c22, c23 * (c.a * c.b).sqrt()].map(|of| of * stiffness);
         for ((found, clean), of) in [xx, yy, yz].into_iter().zip(clean).zip(of) {
@@ -221,7 +224,7 @@ fn limits_hold_behind_a_layer() {
         let law = any_law(&mut random, &c, n % 2 == 0);
         let m = any_motion(&mut random, &c);
         let o = options([Model::Total, Model::Strip][n / 2 % 2]);
-        let found = friction::solve(&c, &m, &law, &o).unwrap();
+        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let s = found.solution;
         let bound = found.friction * c.normal_force;
         assert!(s.fx.hypot(s.fy) <= bound * (1.0 + 1e-12), "{s:?}");
@@ -278,7 +281,7 @@ fn derivatives_behind_a_layer_are_exact() {
             options([Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Linear][n % 4]);
         let mismatch = if n % 5 == 0 { 0.1 } else { 0.0 };
         let c = Contact { mismatch, ..c };
-        let found = differentiate(&c, &m, Some(&law), &o).unwrap();
+        let found = differentiate_with_law(&c, &m, Some(&law), &o).unwrap();
         let s = found.solution;
         let values = |c: &Contact<f64>, m: &Creepage<f64>, l: &SlipFriction<f64>| {
             let s = forces(c, m, l, &o);
@@ -373,8 +376,9 @@ fn a_patch_behind_a_layer_is_the_ellipse() {
         let patch = Patch::<f64, 64>::from_ellipse(&c, StripCount::SixtyFour).unwrap();
         let o = Options { model, strips: StripCount::SixtyFour };
         let whole = forces(&c, &m, &law, &o);
-        let found =
-            patch_friction::solve(&patch.view().unwrap(), &m, &law, model).unwrap().solution;
+        let found = patch_friction::solve_patch_with_law(&patch.view().unwrap(), &m, &law, model)
+            .unwrap()
+            .solution;
         let bound = c.friction * c.normal_force;
         let off = (found.fx - whole.fx).hypot(found.fy - whole.fy) / bound;
         assert!(off < 0.02, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");

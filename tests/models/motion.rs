@@ -10,7 +10,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::derivatives;
 use kstrip::forces::{self, Model, Options, Solution};
 use kstrip::friction::{self, SlipFriction};
-use kstrip::motion::{Motion, MotionDerivatives, differentiate, solve};
+use kstrip::motion::{Motion, MotionDerivatives, differentiate_motion, solve_motion};
 use kstrip::status::{Error, Warning};
 
 const FLOOR: f64 = 0.02;
@@ -79,11 +79,11 @@ fn far_from_standstill_one_end_leads() {
             };
             let plain = forces::forces_of_contact(&c, &creepage, &o).unwrap();
             let expected = [sign * plain.fx, sign * plain.fy, plain.mz];
-            let (found, mu) = solve(&c, &m, None, &o).unwrap();
+            let (found, mu) = solve_motion(&c, &m, None, &o).unwrap();
             assert_eq!((of(&found), mu, found.adhesion), (expected, c.friction, plain.adhesion));
             let law = SlipFriction { rolling_speed: divisor, ..WET };
-            let wet = friction::solve(&c, &creepage, &law, &o).unwrap();
-            let (found, mu) = solve(&c, &m, Some(&WET), &o).unwrap();
+            let wet = friction::solve_with_law(&c, &creepage, &law, &o).unwrap();
+            let (found, mu) = solve_motion(&c, &m, Some(&WET), &o).unwrap();
             let fy = sign * wet.solution.fy;
             assert_eq!((found.fy, found.mz, mu), (fy, wet.solution.mz, wet.friction));
         }
@@ -101,8 +101,8 @@ fn mirrors_are_exact() {
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let law = LAWS[n / 5 % 2];
-        let (found, mu, slopes) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
-        let (plain, plain_mu) = solve(&c, &m, law.as_ref(), &o).unwrap();
+        let (found, mu, slopes) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
+        let (plain, plain_mu) = solve_motion(&c, &m, law.as_ref(), &o).unwrap();
         assert!((plain.fx - found.fx).abs() <= 1e-12 * c.friction_bound());
         assert!((plain_mu - mu).abs() <= 1e-12);
         // x and y to their negatives; x alone; y alone: signs of (x, y, moment or spin)
@@ -115,7 +115,7 @@ fn mirrors_are_exact() {
                 ..m
             };
             let (image, image_mu, image_slopes) =
-                differentiate(&c, &seen, law.as_ref(), &o).unwrap();
+                differentiate_motion(&c, &seen, law.as_ref(), &o).unwrap();
             let signs = [x, y, z];
             let turn = |v: [f64; 3]| std::array::from_fn::<f64, 3, _>(|i| signs[i] * v[i]);
             let expected = MotionDerivatives {
@@ -186,7 +186,7 @@ fn force_and_derivatives_are_continuous_through_standstill() {
             let step = 1e-8 * FLOOR;
             let here = |v: f64| {
                 let m = Motion { rolling_speed: v, ..m };
-                let (found, _, slopes) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
+                let (found, _, slopes) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
                 let radius = (c.a * c.b).sqrt();
                 let forces =
                     [found.fx, found.fy, found.mz / radius].map(|f| f / c.friction_bound());
@@ -217,7 +217,7 @@ fn derivatives_are_those_of_the_forces() {
         let law = LAWS[n / 5 % 2].map(|law| SlipFriction { friction: c.friction, ..law });
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
-        let (_, _, s) = differentiate(&c, &m, law.as_ref(), &o).unwrap();
+        let (_, _, s) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
         let (radius, v_f) = ((c.a * c.b).sqrt(), speed.hypot(FLOOR));
         let slip = m.slip_x.abs() + m.slip_y.abs() + radius * m.spin_rate.abs();
         let shaken = |which: usize, by: f64| {
@@ -242,9 +242,9 @@ fn derivatives_are_those_of_the_forces() {
                 8 => law.iter_mut().for_each(|law| law.decay *= factor),
                 _ => law.iter_mut().for_each(|law| law.slope_factor *= factor),
             }
-            of(&solve(&c, &m, law.as_ref(), &o).unwrap().0)
+            of(&solve_motion(&c, &m, law.as_ref(), &o).unwrap().0)
         };
-        let size = of(&solve(&c, &m, law.as_ref(), &o).unwrap().0);
+        let size = of(&solve_motion(&c, &m, law.as_ref(), &o).unwrap().0);
         let size = size[0].abs() + size[1].abs() + size[2].abs() / radius;
         let units = [size, size, size * radius];
         for which in 0..if law.is_some() { 10 } else { 7 } {
@@ -291,7 +291,7 @@ fn friction_opposes_slip_and_keeps_its_bound() {
         let mut m = any_motion(&mut random, &c, speed);
         let huge = 10f64.powf(random.between(0.0, 3.0));
         (m.slip_x, m.slip_y) = (m.slip_x * huge, m.slip_y * huge);
-        let (found, mu) = solve(&c, &m, law.as_ref(), &options(model)).unwrap();
+        let (found, mu) = solve_motion(&c, &m, law.as_ref(), &options(model)).unwrap();
         let rigid = m.slip_x.hypot(m.slip_y) + (c.a + c.b) * m.spin_rate.abs();
         let bound = mu * c.normal_force;
         assert!(found.power >= -1e-9 * bound * rigid, "{n} {c:?} {m:?} {found:?}");
@@ -306,7 +306,7 @@ fn friction_opposes_slip_and_keeps_its_bound() {
 fn friction_falls_with_the_slip_velocity_at_standstill() {
     for slip in [0.5, 2.0, 10.0] {
         let m = Motion { slip_x: slip, ..Motion::default() };
-        let (found, mu) = solve(&C0, &m, Some(&WET), &options(Model::Total)).unwrap();
+        let (found, mu) = solve_motion(&C0, &m, Some(&WET), &options(Model::Total)).unwrap();
         let expected = 0.3 * (0.6 * (-0.6 * slip).exp() + 0.4);
         assert!((mu - expected).abs() < 4e-15, "{slip}: {mu} {expected}");
         assert!((found.fx / (mu * 80e3) - 1.0).abs() < 1e-2);
@@ -332,11 +332,12 @@ fn a_law_of_zeros_behaves_as_written() {
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let constant = SlipFriction { friction: c.friction, ..zero };
-        let (plain, with_law) = (solve(&c, &m, None, &o), solve(&c, &m, Some(&constant), &o));
+        let (plain, with_law) =
+            (solve_motion(&c, &m, None, &o), solve_motion(&c, &m, Some(&constant), &o));
         assert_eq!(plain, with_law);
         let falls = SlipFriction { ratio: 0.4, decay: 0.6, ..constant };
         let one = SlipFriction { slope_factor: 1.0, ..falls };
-        assert_eq!(solve(&c, &m, Some(&falls), &o), solve(&c, &m, Some(&one), &o));
+        assert_eq!(solve_motion(&c, &m, Some(&falls), &o), solve_motion(&c, &m, Some(&one), &o));
     }
 }
 
@@ -355,7 +356,7 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &C0, speed);
         let law = LAWS[n / 4 % 2];
-        let (found, _, slopes) = differentiate(&lost, &m, law.as_ref(), &o).unwrap();
+        let (found, _, slopes) = differentiate_motion(&lost, &m, law.as_ref(), &o).unwrap();
         let Solution { power, adhesion, warning, .. } = found;
         assert_eq!((of(&found), power, adhesion, warning), ([0.0; 3], 0.0, 0.0, Warning::None));
         let none = [0.0; 3];
@@ -373,7 +374,7 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
             layer: none,
         };
         assert_eq!(slopes, expected);
-        assert_eq!(of(&solve(&lost, &m, law.as_ref(), &o).unwrap().0), [0.0; 3]);
+        assert_eq!(of(&solve_motion(&lost, &m, law.as_ref(), &o).unwrap().0), [0.0; 3]);
     }
 }
 
@@ -385,19 +386,20 @@ fn extreme_motions_are_answered_or_named() {
         [(1e200, 1e-3), (-1e200, 0.0), (0.0, 1e-200), (1e-250, 1e-200)]
     {
         let m = Motion { slip_x: 1e-205, rolling_speed, floor_speed, ..Motion::default() };
-        let (found, _) = solve(&C0, &m, None, &o).unwrap();
+        let (found, _) = solve_motion(&C0, &m, None, &o).unwrap();
         assert!(found.fx >= 0.0 && found.fx < 24e3, "{m:?} {found:?}");
     }
     let beyond = Motion { slip_x: 1e200, floor_speed: 1e-200, ..Motion::default() };
-    assert_eq!(solve(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
-    assert_eq!(differentiate(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
+    assert_eq!(solve_motion(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
+    assert_eq!(differentiate_motion(&C0, &beyond, None, &o).err(), Some(Error::Overflow));
 }
 
 /// Below walking pace any slip is plausible; at speed, a spin rate in degrees per second is not.
 #[test]
 fn wheel_spin_at_standstill_is_not_implausible() {
     let spun = Motion { slip_x: 5.0, spin_rate: 0.5, ..Motion::default() };
-    let said = |m: Motion<f64>| solve(&C0, &m, None, &options(Model::Total)).unwrap().0.warning;
+    let said =
+        |m: Motion<f64>| solve_motion(&C0, &m, None, &options(Model::Total)).unwrap().0.warning;
     assert!(!said(spun).is_implausible());
     assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Warning::None);
     let rolling = Motion { slip_x: 0.01, spin_rate: 10.0 * 0.5, rolling_speed: 10.0, ..spun };
@@ -408,7 +410,7 @@ fn wheel_spin_at_standstill_is_not_implausible() {
     );
     assert_eq!(said(Motion { slip_x: 200.0, ..rolling }), Warning::Creepage);
     let soft = Contact { shear_modulus: 82.0, ..C0 };
-    let found = solve(&soft, &spun, None, &options(Model::Total)).unwrap().0;
+    let found = solve_motion(&soft, &spun, None, &options(Model::Total)).unwrap().0;
     assert_eq!(found.warning, Warning::Pressure);
 }
 
@@ -418,8 +420,10 @@ fn wheel_spin_at_standstill_is_not_implausible() {
 fn at_rest_the_contact_is_a_damper_of_linear_theory() {
     let still = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
     for model in Model::ALL {
-        let (_, slopes) = derivatives::solve(&C0, &still, &options(model)).unwrap();
-        let (_, _, s) = differentiate(&C0, &Motion::default(), None, &options(model)).unwrap();
+        let (_, slopes) =
+            derivatives::forces_and_derivatives(&C0, &still, &options(model)).unwrap();
+        let (_, _, s) =
+            differentiate_motion(&C0, &Motion::default(), None, &options(model)).unwrap();
         let rows = s.slip.into_iter().zip(slopes.jacobian);
         for (i, (row, linear)) in rows.enumerate() {
             for (k, (slope, linear)) in row.into_iter().zip(linear).enumerate() {
@@ -448,8 +452,8 @@ fn single_precision_follows() {
             rolling_speed: m.rolling_speed as f32,
             floor_speed: 0.0,
         };
-        let (expected, _) = solve(&c, &m, None, &o).unwrap();
-        let (found, _, _) = differentiate(&single, &motion, None, &o).unwrap();
+        let (expected, _) = solve_motion(&c, &m, None, &o).unwrap();
+        let (found, _, _) = differentiate_motion(&single, &motion, None, &o).unwrap();
         let size = c.friction_bound().max(expected.fx.hypot(expected.fy));
         assert!((f64::from(found.fx) - expected.fx).abs() < 1e-4 * size, "{n} {o:?}");
         assert!((f64::from(found.fy) - expected.fy).abs() < 1e-4 * size, "{n} {o:?}");

@@ -24,12 +24,12 @@ use theory::{COUNTS, MODELS, contact, creepage, options};
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 
 fn solve(patch: &Full, motion: &Creepage<f64>, model: Model) -> Solution<f64> {
-    solver::solve(&patch.view().unwrap(), motion, model).unwrap()
+    solver::solve_patch(&patch.view().unwrap(), motion, model).unwrap()
 }
 
 fn jacobian(patch: &Full, motion: &Creepage<f64>, model: Model) -> [[f64; 3]; 3] {
     let view = patch.view().unwrap();
-    let (_, j) = solver::solve_jacobian(&view, motion, model).unwrap();
+    let (_, j) = solver::patch_jacobian(&view, motion, model).unwrap();
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]))
 }
 
@@ -127,7 +127,7 @@ fn irregular_patches_keep_the_bounds() {
         let power = found.fx * motion.longitudinal + found.fy * motion.lateral;
         assert_relative_eq!(found.power, power + found.mz * motion.spin, max_relative = 1e-12);
         let (mut fx, mut fy, mut mz, mut sum, mut number) = (0.0, 0.0, 0.0, 0.0, 0);
-        solver::strips(&view, &motion, model, &mut |strip| {
+        solver::patch_strips(&view, &motion, model, &mut |strip| {
             fx += strip.fx;
             fy += strip.fy;
             mz += strip.mz;
@@ -324,7 +324,7 @@ fn strips_without_friction_or_load() {
             assert!([found.fx, found.fy, found.mz].iter().all(|x| x.is_finite()));
             let mut carried = f64::NAN;
             let mut at = 0;
-            solver::strips(&patch.view().unwrap(), &motion, model, &mut |strip| {
+            solver::patch_strips(&patch.view().unwrap(), &motion, model, &mut |strip| {
                 if at == number {
                     carried = strip.fx.abs() + strip.fy.abs();
                 }
@@ -472,7 +472,7 @@ fn single_precision() {
         let slow = single_motion(&motion);
         // the sliding rule of the paper jumps: a strip on the other side of its jump is no error
         let model = [Model::Strip1967Continuous, Model::Strip][i % 2];
-        let found = solver::solve(&single.view().unwrap(), &slow, model).unwrap();
+        let found = solver::solve_patch(&single.view().unwrap(), &slow, model).unwrap();
         let wanted = solve(&patch, &motion, model);
         let unit = patch.view().unwrap().friction_bound();
         if wanted.warning == Warning::SpinBeyondTheory {
@@ -482,7 +482,7 @@ fn single_precision() {
         assert!((f64::from(found.fy) - wanted.fy).abs() < 2e-6 * unit, "{found:?} {wanted:?}");
         assert!((f64::from(found.mz) - wanted.mz).abs() < 5e-9 * unit, "{found:?} {wanted:?}");
         let view = single.view().unwrap();
-        let (_, slopes) = solver::solve_jacobian(&view, &slow, model).unwrap();
+        let (_, slopes) = solver::patch_jacobian(&view, &slow, model).unwrap();
         assert!(slopes.iter().all(|slope| slope.is_finite()));
     }
 }
@@ -516,7 +516,7 @@ fn hard_inputs() {
             continue;
         };
         let view = patch.view().unwrap();
-        match solver::solve(&view, &motion, model) {
+        match solver::solve_patch(&view, &motion, model) {
             Ok(found) => {
                 answers += 1;
                 let numbers = [found.fx, found.fy, found.mz, found.power, found.adhesion];
@@ -529,7 +529,7 @@ fn hard_inputs() {
                 refusals += 1;
             }
         }
-        match solver::solve_jacobian(&view, &motion, model) {
+        match solver::patch_jacobian(&view, &motion, model) {
             Ok((_, slopes)) => assert!(slopes.iter().all(|slope| slope.is_finite())),
             Err(error) => assert_eq!(error, Error::Overflow),
         }
@@ -582,12 +582,12 @@ fn patches_have_their_order_and_capacity() {
     assert_eq!(view(&[good], 0.0), Some(Error::NotFinite));
     let patch = of(&[good]).unwrap();
     let (view, rest) = (patch.view().unwrap(), Creepage::default());
-    assert_eq!(solver::solve(&view, &rest, Model::Linear), Err(Error::NotInModel));
+    assert_eq!(solver::solve_patch(&view, &rest, Model::Linear), Err(Error::NotInModel));
     for model in [Model::Total, Model::Linear] {
-        let strips = solver::strips(&view, &rest, model, &mut |_| ());
+        let strips = solver::patch_strips(&view, &rest, model, &mut |_| ());
         assert_eq!(strips, Err(Error::NotInModel));
         assert!(PatchField::new(&view, &rest, model).is_err());
     }
     let far = Creepage { longitudinal: 1e308, ..rest };
-    assert_eq!(solver::solve(&view, &far, Model::Strip), Err(Error::Overflow));
+    assert_eq!(solver::solve_patch(&view, &far, Model::Strip), Err(Error::Overflow));
 }

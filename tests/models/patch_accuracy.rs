@@ -5,7 +5,7 @@ use crate::random::Random;
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
-use kstrip::patch::solver::solve;
+use kstrip::patch::solver::solve_patch;
 
 /// Mean, 95th percentile and maximum allowed.
 fn assert_below(what: &str, errors: &[f64], allowed: [f64; 3]) {
@@ -80,7 +80,7 @@ fn power_is_not_negative() {
             let creepage = [1.0, 1.0, 2.0].map(|most| size * random.between(-most, most));
             let motion = case.creepage(&Motion { creepage, force: [0.0; 2], moment: 0.0 });
             for model in [Model::Strip, Model::Total] {
-                let found = solve(&view, &motion, model).unwrap();
+                let found = solve_patch(&view, &motion, model).unwrap();
                 assert!(found.power > 0.0, "{} {model:?} {motion:?} {found:?}", case.name);
             }
         }

@@ -10,7 +10,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
 use kstrip::patch::field::PatchField;
-use kstrip::patch::friction::{PatchFrictionSolution, differentiate, solve};
+use kstrip::patch::friction::{PatchFrictionSolution, differentiate_patch, solve_patch_with_law};
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip, PatchView};
 use kstrip::status::{Error, Warning};
@@ -39,7 +39,7 @@ fn solve_jacobian(
     law: &SlipFriction<f64>,
     model: Model,
 ) -> Result<(PatchFrictionSolution<f64>, Matrix3<f64>), Error> {
-    let found = differentiate(view, motion, Some(law), model)?;
+    let found = differentiate_patch(view, motion, Some(law), model)?;
     let jacobian = Matrix3::from(found.derivatives.jacobian).transpose();
     Ok((PatchFrictionSolution { solution: found.solution, share: found.friction }, jacobian))
 }
@@ -70,7 +70,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
         let patch = Full::from_ellipse(&c, count).unwrap();
         let view = patch.view().unwrap();
         let (found, j) = solve_jacobian(&view, &m, &law, Model::Strip).unwrap();
-        let plain = solve(&view, &m, &law, Model::Strip).unwrap();
+        let plain = solve_patch_with_law(&view, &m, &law, Model::Strip).unwrap();
         let unit = c.friction * c.normal_force;
         for found in [found, plain] {
             let (s, w) = (found.solution, wanted.solution);
@@ -99,14 +99,14 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
         let (patch, m) = (irregular(&mut random), motion(&mut random));
         let model = [Model::Strip, Model::Strip1967, Model::Strip1967Continuous][i % 3];
         let view = patch.view().unwrap();
-        let (plain, slopes) = solver::solve_jacobian(&view, &m, model).unwrap();
-        let only = solver::solve(&view, &m, model).unwrap();
+        let (plain, slopes) = solver::patch_jacobian(&view, &m, model).unwrap();
+        let only = solver::solve_patch(&view, &m, model).unwrap();
         for law in [
             SlipFriction { ratio: 1.0, ..DRY },
             SlipFriction { decay: 0.0, ..DRY },
             SlipFriction { rolling_speed: 0.0, ..DRY },
         ] {
-            let found = solve(&view, &m, &law, model).unwrap();
+            let found = solve_patch_with_law(&view, &m, &law, model).unwrap();
             assert_eq!((found.solution, found.share), (only, 1.0));
             let (found, j) = solve_jacobian(&view, &m, &law, model).unwrap();
             assert_eq!((found.solution, j), (plain, slopes));
@@ -123,11 +123,11 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         let (patch, m) = (irregular(&mut random), motion(&mut random));
         let (law, model) = (any_law(&mut random), SMOOTH[i % 2]);
         let view = patch.view().unwrap();
-        let found = solve(&view, &m, &law, model).unwrap();
+        let found = solve_patch_with_law(&view, &m, &law, model).unwrap();
         let (share, warning) = (found.share, found.solution.warning);
         let slipping = patch.clone().under(share, law.slope_factor);
         let slipping_view = slipping.view().unwrap();
-        let (s, again) = (found.solution, solver::solve(&slipping_view, &m, model).unwrap());
+        let (s, again) = (found.solution, solver::solve_patch(&slipping_view, &m, model).unwrap());
         let unit = view.friction_bound();
         assert!((s.fx - again.fx).abs() < 4e-15 * unit, "{s:?} {again:?}");
         assert!((s.fy - again.fy).abs() < 1e-11 * unit && (s.mz - again.mz).abs() < 1e-13 * unit);
@@ -140,7 +140,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
             assert!((share - own).abs() < 4e-15, "{share} {own} {law:?}");
         }
         let (mut fx, mut fy) = (0.0, 0.0);
-        solver::strips(&slipping_view, &m, model, &mut |strip| {
+        solver::patch_strips(&slipping_view, &m, model, &mut |strip| {
             fx += strip.fx;
             fy += strip.fy;
         })
@@ -164,7 +164,7 @@ fn full_sliding_is_polachs_law() {
         let view = patch.view().unwrap();
         for slip in [0.2, 0.5, 2.0] {
             let m = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
-            let found = solve(&view, &m, &DRY, SMOOTH[i % 2]).unwrap();
+            let found = solve_patch_with_law(&view, &m, &DRY, SMOOTH[i % 2]).unwrap();
             let share = 0.6 * (-0.6 * 20.0 * slip).exp() + 0.4;
             assert!((found.share - share).abs() < 4e-15, "{slip} {found:?}");
             let bound = share * view.friction_bound();
@@ -188,7 +188,7 @@ fn derivatives_follow_friction_and_slip() {
             continue;
         }
         let forces = |motion: &Creepage<f64>| {
-            let s = solve(&view, motion, &law, model).unwrap().solution;
+            let s = solve_patch_with_law(&view, motion, &law, model).unwrap().solution;
             [s.fx, s.fy, s.mz]
         };
         let entry = |row, column| exact[(row, column)];
@@ -227,7 +227,7 @@ fn limits_are_answered() {
     for i in 0..300 {
         let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
         let view = patch.view().unwrap();
-        let found = solve(&view, &m, &law, Model::Strip1967).unwrap();
+        let found = solve_patch_with_law(&view, &m, &law, Model::Strip1967).unwrap();
         assert!(found.share >= law.ratio && found.share <= 1.0, "{i} {found:?}");
     }
 }
@@ -241,7 +241,7 @@ fn friction_of_each_strip_falls_alike() {
     patch.strips.iter_mut().filter(greasy).for_each(|strip| strip.friction = 0.05);
     let m = Creepage { longitudinal: 0.05, lateral: 0.0, spin: 0.0 };
     let view = patch.view().unwrap();
-    let found = solve(&view, &m, &DRY, Model::Strip).unwrap();
+    let found = solve_patch_with_law(&view, &m, &DRY, Model::Strip).unwrap();
     let slipping = patch.clone().under(found.share, 1.0);
     for (before, after) in patch.strips.iter().zip(&slipping.strips) {
         assert_eq!(after.friction, found.share * before.friction);
@@ -275,7 +275,7 @@ fn derivatives_by_load_and_friction() {
         let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
         let law = if i % 2 == 0 { Some(&law) } else { None };
         let view = patch.view().unwrap();
-        let found = differentiate(&view, &m, law, Model::Strip).unwrap();
+        let found = differentiate_patch(&view, &m, law, Model::Strip).unwrap();
         let bound = view.friction_bound();
         let load = view.normal_force();
         let ways: [Way; 3] = [
@@ -296,8 +296,10 @@ fn derivatives_by_load_and_friction() {
                 let patch = way(1.0 + t);
                 let view = patch.view().unwrap();
                 let s = match law {
-                    Some(law) => solve(&view, &m, law, Model::Strip).unwrap().solution,
-                    None => solver::solve(&view, &m, Model::Strip).unwrap(),
+                    Some(law) => {
+                        solve_patch_with_law(&view, &m, law, Model::Strip).unwrap().solution
+                    }
+                    None => solver::solve_patch(&view, &m, Model::Strip).unwrap(),
                 };
                 [s.fx / units[0], s.fy / units[1], s.mz / units[2]]
             };

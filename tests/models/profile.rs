@@ -229,7 +229,8 @@ fn noise_and_bad_points_hardly_matter() {
             for motion in &case.motions {
                 let [clean, patch] = [&clean, &patch].map(|patch| {
                     let view = patch.view().unwrap();
-                    let found = solver::solve(&view, &case.creepage(motion), Model::Strip).unwrap();
+                    let found =
+                        solver::solve_patch(&view, &case.creepage(motion), Model::Strip).unwrap();
                     [found.fx, found.fy].map(|force| force / (case.friction * case.load))
                 });
                 let change = (clean[0] - patch[0]).hypot(clean[1] - patch[1]);
@@ -326,7 +327,7 @@ fn zones_merge_without_a_jump() {
                         .unwrap();
                 let view = patch.view().unwrap();
                 let both = [Model::Strip, Model::Total].map(|model| {
-                    let found = solver::solve(&view, &motion, model).unwrap();
+                    let found = solver::solve_patch(&view, &motion, model).unwrap();
                     [found.fx / (0.3 * load), found.fy / (0.3 * load)]
                 });
                 if let Some((before, approach)) = last {
@@ -427,7 +428,7 @@ fn a_zone_appears_and_a_gap_closes_slowly() {
             SIXTEEN,
         )
         .unwrap();
-        let forces = solver::solve(&patch.view().unwrap(), &motion, Model::Strip).unwrap();
+        let forces = solver::solve_patch(&patch.view().unwrap(), &motion, Model::Strip).unwrap();
         [(found.approach + found.lowest) / 110e-6, forces.fx / 24e3, forces.fy / 24e3]
     };
     // (the lowest point changes from one bottom to the other at 0)

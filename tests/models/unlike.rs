@@ -74,12 +74,13 @@ fn at_rest_there_is_a_force_where_it_rolls() {
         assert!(found.fx > 0.1 * BOUND && found.fx < 0.5 * BOUND, "{model:?} {}", found.fx);
         assert_eq!((found.fx, found.power), (-other.fx, other.power), "{model:?}");
         assert_eq!((found.fy, found.mz, found.warning), (0.0, 0.0, Warning::None), "{model:?}");
-        let stands = motion::solve(&unlike, &Motion::default(), None, &options(model)).unwrap().0;
+        let stands =
+            motion::solve_motion(&unlike, &Motion::default(), None, &options(model)).unwrap().0;
         assert_eq!((stands.fx, stands.power), (0.0, 0.0), "{model:?}");
         // far from standstill it is the same force forward and backward, in axes that stay
         let rolls = |rolling_speed| {
             let motion = Motion { rolling_speed, ..Motion::default() };
-            motion::solve(&unlike, &motion, None, &options(model)).unwrap().0.fx
+            motion::solve_motion(&unlike, &motion, None, &options(model)).unwrap().0.fx
         };
         assert!((rolls(50.0) - found.fx).abs() < 1e-6 * BOUND && rolls(-50.0) == -rolls(50.0));
     }
@@ -133,7 +134,8 @@ fn derivatives_go_through_the_shift() {
         let solve =
             |contact: &Contact<f64>, creepage: &Creepage<f64>, law: Option<SlipFriction<f64>>| {
                 let found =
-                    derivatives::differentiate(contact, creepage, law.as_ref(), &options).unwrap();
+                    derivatives::differentiate_with_law(contact, creepage, law.as_ref(), &options)
+                        .unwrap();
                 (forces(&found.solution), found.derivatives)
             };
         let Derivatives { jacobian, normal_force, load_through_hertz, friction } =
@@ -181,7 +183,7 @@ fn derivatives_go_through_the_shift() {
         let moves = Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed: 0.0 };
         let at = |rolling_speed: f64| {
             let moves = Motion { rolling_speed, ..moves };
-            motion::differentiate(&contact, &moves, law.as_ref(), &options).unwrap()
+            motion::differentiate_motion(&contact, &moves, law.as_ref(), &options).unwrap()
         };
         check("speed", speed, at(rolling_speed).2.rolling_speed, &|h| {
             forces(&at(rolling_speed + h * speed).0)
@@ -207,11 +209,16 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
             slide_factor: 0.0,
             layer: 0.0,
         });
-        let found =
-            patch_friction::differentiate(&patch.view().unwrap(), &creepage, law.as_ref(), model)
-                .unwrap();
+        let found = patch_friction::differentiate_patch(
+            &patch.view().unwrap(),
+            &creepage,
+            law.as_ref(),
+            model,
+        )
+        .unwrap();
         let of_ellipse =
-            derivatives::differentiate(&contact, &creepage, law.as_ref(), &options(model)).unwrap();
+            derivatives::differentiate_with_law(&contact, &creepage, law.as_ref(), &options(model))
+                .unwrap();
         let bound = contact.friction * NORMAL_FORCE;
         let near = |what: &str, p: [f64; 3], q: [f64; 3], unit: f64| {
             for (p, q) in p.into_iter().zip(q) {
@@ -236,7 +243,8 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
         let mut shared = 0.0;
         let strips = |strip: forces::StripResult<f64>| shared += strip.power;
         if model == Model::Strip && law.is_none() {
-            solver::strips(&patch.view().unwrap(), &creepage, model, &mut { strips }).unwrap();
+            solver::patch_strips(&patch.view().unwrap(), &creepage, model, &mut { strips })
+                .unwrap();
             assert!((shared - found.solution.power).abs() <= 4e-15 * bound);
         }
     }

@@ -43,7 +43,8 @@ fn wrong_units_are_named_by_every_model() {
             assert_eq!(solution.warning, warning, "{model:?} {contact:?} {creepage:?}");
             let (other, _) = forces::solve_jacobian(&contact, &creepage, &options).unwrap();
             assert_eq!(other.warning, warning);
-            let (other, _) = derivatives::solve(&contact, &creepage, &options).unwrap();
+            let (other, _) =
+                derivatives::forces_and_derivatives(&contact, &creepage, &options).unwrap();
             assert_eq!(other.warning, warning);
         }
     }

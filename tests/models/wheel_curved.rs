@@ -224,14 +224,14 @@ fn own_creepages_of_a_rigid_motion_are_that_motion() {
         let curved = view.with_own_creepages(&own).unwrap();
         for model in [Model::Strip, Model::Strip1967Continuous] {
             let [a, b] = [(&view, &whole), (&curved, &common)]
-                .map(|(view, creepage)| solver::solve(view, creepage, model).unwrap());
+                .map(|(view, creepage)| solver::solve_patch(view, creepage, model).unwrap());
             let pairs = [(a.fx, b.fx), (a.fy, b.fy), (a.mz, b.mz), (a.power, b.power)];
             for (a, b) in pairs {
                 assert!((a - b).abs() < 1e-9 * a.abs(), "{model:?} {share}: {a} {b}");
             }
             for falling in [None, Some(&SlipFriction { rolling_speed: 20.0, ..FALLING })] {
                 let [a, b] = [(&view, &whole), (&curved, &common)].map(|(view, creepage)| {
-                    friction::differentiate(view, creepage, falling, model).unwrap()
+                    friction::differentiate_patch(view, creepage, falling, model).unwrap()
                 });
                 assert!((a.friction - b.friction).abs() < 1e-9);
                 let entries = |found: &Differentiated<f64>| {
@@ -246,7 +246,7 @@ fn own_creepages_of_a_rigid_motion_are_that_motion() {
                 }
             }
         }
-        assert!(solver::solve(&curved, &common, Model::Total).is_err());
+        assert!(solver::solve_patch(&curved, &common, Model::Total).is_err());
         assert!(view.with_own_creepages(&own[1..]).is_err());
     }
 }

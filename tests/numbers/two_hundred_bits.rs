@@ -15,7 +15,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::derivatives::solve_jacobian;
 use kstrip::forces::{Model, Options};
 use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate;
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::Float;
 use kstrip::patch::{Patch, PatchStrip, QuadratureScale, friction, solver};
@@ -152,11 +152,11 @@ fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<
         }
         Road::Patch(strips) => {
             let patch = patch(strips, inputs);
-            let (found, slopes) = solver::solve_jacobian(&patch.view()?, &creepage, model)?;
+            let (found, slopes) = solver::patch_jacobian(&patch.view()?, &creepage, model)?;
             (found, rows(slopes))
         }
         Road::Falling => {
-            let found = differentiate(&contact, &creepage, Some(&law), &options)?;
+            let found = differentiate_with_law(&contact, &creepage, Some(&law), &options)?;
             (found.solution, found.derivatives.jacobian)
         }
         Road::FallingPatch(strips) => {

@@ -186,7 +186,7 @@ fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
                 let strips = EllipseStrips::new(ratio, nu, &linear, count);
                 for v in [[0.3, 0.1, 0.2], [0.0, 2.0, -3.0], [-0.05, 0.0, 0.0], [40.0, 1.0, 9.0]] {
                     let v = [0, 1, 2].map(|i| input(F::of(v[i]), i));
-                    same(&strips.totals(v), &internals::totals_one_by_one(&strips, v));
+                    same(&strips.totals(v), &strips.totals_one_by_one(v));
                 }
             }
             let number = |i: usize| F::of(((i * 37 + k * 11) % 97) as f64 / 40.0 - 1.0);

@@ -108,7 +108,7 @@ pub extern "C" fn kstrip_patch_summarize(
     patch: Option<&StoredPatch<F>>,
     summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
 ) -> kstrip_status {
-    fill(summary, || Ok(PatchSummary::of(&given(patch)?.view()?)))
+    fill(summary, || Ok(PatchSummary::new(&given(patch)?.view()?)))
 }
 
 /// Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { OutputPlaces::of(outputs) });
+    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
     answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
 }
 

@@ -62,7 +62,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { OutputPlaces::of(outputs) });
+    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
     answer(|| evaluate(given(contact)?, given(creepage)?, friction, options, given(places)?))
 }
 
@@ -84,7 +84,7 @@ pub extern "C" fn kstrip_prepare(
 ) -> kstrip_status {
     fill(prepared, || {
         let prepared = Prepared::new(given(contact)?, &for_forces(options)?)?;
-        Ok(PreparedNumbers::of(&prepared))
+        Ok(PreparedNumbers::new(&prepared))
     })
 }
 
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn kstrip_solve_motion(
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
     answer(|| unsafe {
-        solve_motion(given(contact)?, given(motion)?, friction, options, given(outputs)?)
+        write_motion(given(contact)?, given(motion)?, friction, options, given(outputs)?)
     })
 }
 

@@ -104,7 +104,8 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
         let (wheelset, of_rails) = sides.wheelset()?;
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(forces)?);
-        let (mut slopes, mut moved) = (WheelsetDerivatives::zero(), WheelsetByPosition::zero());
+        let (mut slopes, mut moved) =
+            (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
         let by = derivatives.is_some().then_some(&mut slopes);
         let places = by_position.is_some().then_some(&mut moved);
         let found = wheelset.solve(position, velocity, memory, by, places)?;
