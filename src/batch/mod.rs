@@ -4,7 +4,7 @@ pub(crate) mod one_by_one;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
-use crate::batch::one_by_one::{Case, Gathered, differentiate_each, each, solve_each};
+use crate::batch::one_by_one::{Case, Gathered, differentiate_each, solve_each, try_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
@@ -61,7 +61,9 @@ pub fn solve_batch<F: Float>(
     };
     check_each(count, &case, |(contact, creepage, _)| forces::check(contact, creepage, options))?;
     #[cfg(target_arch = "x86_64")]
-    if HAS_WIDE_CODE && let Some(solved) = side_by_side::solve(count, options, &get, &mut put) {
+    if HAS_WIDE_CODE
+        && let Some(solved) = side_by_side::solve_side_by_side(count, options, &get, &mut put)
+    {
         return solved;
     }
     solve_each(0..count, options, &get, &mut put)
@@ -82,7 +84,7 @@ pub(crate) fn solve_under_friction<F: Float>(
         None => forces::check(contact, creepage, options),
     })?;
     let mut worst = Warning::None;
-    each(0..count, |i| {
+    try_each(0..count, |i| {
         let (contact, creepage, law) = get(i);
         let found = match law {
             Some(law) => friction::solve_with_law_checked(&contact, &creepage, &law, options)?,
@@ -110,9 +112,9 @@ fn check_each<F: Float>(
     get: &impl Fn(usize) -> Case<F>,
     check: impl Fn(&Case<F>) -> Result<(), Error>,
 ) -> Result<(), (usize, Error)> {
-    let check = |numbers| each(numbers, |i| check(&get(i)));
+    let check = |numbers| try_each(numbers, |i| check(&get(i)));
     #[cfg(target_arch = "x86_64")]
-    if HAS_WIDE_CODE && let Some(checked) = side_by_side::check(count, get, &check) {
+    if HAS_WIDE_CODE && let Some(checked) = side_by_side::check_side_by_side(count, get, &check) {
         return checked;
     }
     check(0..count)
@@ -121,7 +123,8 @@ fn check_each<F: Float>(
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
 ///
 /// # Errors
-/// Those of [`differentiate`](derivatives::differentiate_with_law), of the first bad input, with its number.
+/// Those of [`differentiate`](derivatives::differentiate_with_law), of the first bad input, with
+/// its number.
 pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,
@@ -133,7 +136,8 @@ pub(crate) fn differentiate_batch<F: Float>(
     })?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE
-        && let Some(solved) = side_by_side::differentiate(count, options, &get, &mut put)
+        && let Some(solved) =
+            side_by_side::differentiate_side_by_side(count, options, &get, &mut put)
     {
         return solved;
     }

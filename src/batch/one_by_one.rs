@@ -68,7 +68,7 @@ pub(crate) fn differentiate_each<F: Float>(
     put: &mut impl FnMut(usize, &Gathered<F>),
 ) -> Result<Warning, (usize, Error)> {
     let mut worst = Warning::None;
-    each(numbers, |i| {
+    try_each(numbers, |i| {
         let (contact, creepage, law) = get(i);
         let creepage = &creepage;
         // By reference: avoids a copy on the stack.
@@ -102,7 +102,7 @@ pub(crate) fn differentiate_each<F: Float>(
 }
 
 /// Stops at the first error, and tells its number.
-pub(super) fn each(
+pub(super) fn try_each(
     mut numbers: core::ops::Range<usize>,
     mut task: impl FnMut(usize) -> Result<(), Error>,
 ) -> Result<(), (usize, Error)> {

@@ -28,7 +28,7 @@ const MOST: usize = 8;
 /// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
 /// has wide registers.
 #[inline]
-pub(super) fn solve<F: Float>(
+pub(super) fn solve_side_by_side<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
@@ -42,7 +42,7 @@ pub(super) fn solve<F: Float>(
 /// the processor has wide registers and no friction falls; of models with strips the registers are
 /// full with those of one contact.
 #[inline]
-pub(super) fn differentiate<F: Float>(
+pub(super) fn differentiate_side_by_side<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
@@ -58,7 +58,7 @@ pub(super) fn differentiate<F: Float>(
 /// Checks inputs, those that are not ordinary by another check, if the processor has wide
 /// registers.
 #[inline]
-pub(super) fn check<F: Float>(
+pub(super) fn check_side_by_side<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
     check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
@@ -160,7 +160,7 @@ fn solve_groups<F: Float>(
         };
         let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
         for k in 0..F::Contacts::COUNT {
-            let solution = together.solution(k);
+            let solution = together.solution_of(k);
             worst = worst.worse(solution.warning);
             put(first + k, solution);
         }
@@ -198,7 +198,7 @@ fn differentiate_groups<F: Float>(
         for (k, i) in numbers.enumerate() {
             let (Contact { friction, .. }, creepage, _) = get(i);
             let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
-            let solution = &together.solution(k);
+            let solution = &together.solution_of(k);
             worst = worst.worse(solution.warning);
             let by_mismatch = &[F::zero(); 3];
             put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None });
@@ -344,7 +344,7 @@ where
     }
 
     #[inline(always)]
-    fn solution(&self, k: usize) -> Solution<L::Stored> {
+    fn solution_of(&self, k: usize) -> Solution<L::Stored> {
         let [fx, fy, mz, power, adhesion] = self.quantities.each_ref().map(|of| of.lane(k));
         let warning = self.notices.get(k).copied().unwrap_or_default();
         Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }

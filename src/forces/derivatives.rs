@@ -72,8 +72,8 @@ impl<F: Float> Derivatives<F> {
 /// respect to them are one-sided: those of full sliding.
 ///
 /// # Errors
-/// Those of [`forces_and_derivatives`](crate::forces::forces_of_contact); [`Error::Overflow`] also when a derivative
-/// does not fit the floating-point type.
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact); [`Error::Overflow`] also
+/// when a derivative does not fit the floating-point type.
 ///
 /// # Example
 /// A sliding wheel loses braking force in proportion to its load:
@@ -192,8 +192,8 @@ impl<F: Float> Slopes<F> {
     }
 }
 
-/// [`forces_and_derivatives`] with the derivatives with respect to the creepages as a matrix, row by row: N, N, N m
-/// per 1, 1, 1/m.
+/// [`forces_and_derivatives`] with the derivatives with respect to the creepages as a matrix, row
+/// by row: N, N, N m per 1, 1, 1/m.
 ///
 /// # Errors
 /// Those of [`forces_and_derivatives`].

@@ -206,8 +206,8 @@ pub fn differentiate_with_law<F: Float>(
     differentiate_with_law_checked(contact, creepage, law, options)
 }
 
-/// [`differentiate_with_law`] for a law that [`friction::check_with_law`] has accepted with the contact and the
-/// creepage.
+/// [`differentiate_with_law`] for a law that [`friction::check_with_law`] has accepted with the
+/// contact and the creepage.
 ///
 /// # Errors
 /// Those of [`differentiate_with_law`].
@@ -270,8 +270,8 @@ pub(crate) fn without_law<F: Float>(
     LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
 }
 
-/// Checks the inputs of [`differentiate_with_law`], without solving but where sizes are so unusual that a
-/// derivative might not fit.
+/// Checks the inputs of [`differentiate_with_law`], without solving but where sizes are so unusual
+/// that a derivative might not fit.
 ///
 /// # Errors
 /// Those of [`differentiate_with_law`].

@@ -79,7 +79,8 @@ pub struct FrictionSolution<F> {
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
-///     solve_with_law(&contact, &creepage, &wet, &Options::default()).map(|found| found.solution.fx)
+///     let found = solve_with_law(&contact, &creepage, &wet, &Options::default())?;
+///     Ok::<_, kstrip::status::Error>(found.solution.fx)
 /// };
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())

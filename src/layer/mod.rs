@@ -218,7 +218,9 @@ impl<F: Real> Layer<F> {
 
     #[inline(always)]
     fn slopes(&self, rates: [F; 3]) -> RateSlopes<F> {
-        with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> RateSlopes<F> {
+        with_avx!(if F::LANES => <F: Real>(
+            layer: &Layer<F> = self, rates: [F; 3]
+        ) -> RateSlopes<F> {
             layer.sums_and_slopes::<F::Four>(rates)
         } {
             layer.sums_and_slopes::<F::WideFour>(rates)

@@ -147,8 +147,8 @@ pub fn solve_motion<F: Float>(
 /// [`solve_motion`] with derivatives with respect to all inputs.
 ///
 /// # Errors
-/// Those of [`solve_motion`]; [`Error::Overflow`] also when a derivative does not fit the floating-point
-/// type.
+/// Those of [`solve_motion`]; [`Error::Overflow`] also when a derivative does not fit the
+/// floating-point type.
 pub fn differentiate_motion<F: Float>(
     contact: &Contact<F>,
     motion: &Motion<F>,

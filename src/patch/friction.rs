@@ -45,8 +45,8 @@ pub struct PatchFrictionSolution<F> {
 
 /// Forces of a patch whose friction falls with the slip.
 ///
-/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve_patch`] to the
-/// bit and costs no more.
+/// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve_patch`] to
+/// the bit and costs no more.
 ///
 /// # Errors
 /// Those of [`solver::solve_patch`] and [`SlipFriction::check`]; `law.friction` is ignored.
@@ -69,7 +69,8 @@ pub struct PatchFrictionSolution<F> {
 /// };
 /// let pull = |slip: f64| {
 ///     let creepage = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
-///     solve_patch_with_law(&patch.view()?, &creepage, &wet, Model::Strip).map(|found| found.solution.fx)
+///     let found = solve_patch_with_law(&patch.view()?, &creepage, &wet, Model::Strip)?;
+///     Ok::<_, kstrip::status::Error>(found.solution.fx)
 /// };
 /// assert!(pull(0.02)? > pull(0.005)? && pull(0.02)? > pull(0.1)?);
 /// # Ok::<(), kstrip::status::Error>(())
@@ -391,8 +392,8 @@ pub(crate) fn each_strip<F: Float>(
     Ok(Visited { share, bound, law, falls, warning })
 }
 
-/// Passes every strip of the solution at a share `λ` of friction to `visit`, as [`solver::patch_strips`]
-/// does.
+/// Passes every strip of the solution at a share `λ` of friction to `visit`, as
+/// [`solver::patch_strips`] does.
 ///
 /// # Errors
 /// Those of [`solve_patch_with_law`].

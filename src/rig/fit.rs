@@ -92,9 +92,9 @@ pub type Fitted = [bool; 6];
 /// for and has no start (zero) begins at a usual one.
 ///
 /// # Errors
-/// Those of [`differentiate_with_law`], of a point with its number; [`Error::Measured`], [`Error::Weight`],
-/// [`Error::FewPoints`], [`Error::FitParameters`]. Errors of the contact and the law have the count
-/// of the points instead of a number.
+/// Those of [`differentiate_with_law`], of a point with its number; [`Error::Measured`],
+/// [`Error::Weight`], [`Error::FewPoints`], [`Error::FitParameters`]. Errors of the contact and the
+/// law have the count of the points instead of a number.
 pub fn fit_friction<F: Float>(
     contact: &Contact<F>,
     points: &[MeasuredForce<F>],

@@ -92,8 +92,8 @@ impl<F: Float> Wrench<F> {
 /// Computes the wrench of contacts, and, on request, its derivatives.
 ///
 /// # Errors
-/// [`Error::NotFinite`]; those of [`solver::solve_patch`], [`patch::friction::solve_patch_with_law`] and
-/// [`StoredPatch::view`](patch::StoredPatch::view).
+/// [`Error::NotFinite`]; those of [`solver::solve_patch`],
+/// [`patch::friction::solve_patch_with_law`] and [`StoredPatch::view`](patch::StoredPatch::view).
 pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,

@@ -183,3 +183,96 @@ fn lines_have_at_most_100_characters() {
         }
     }
 }
+
+/// The names that src defines outside of blocks and the names of methods, each with its files.
+#[derive(Default)]
+struct Names {
+    items: BTreeMap<String, Vec<String>>,
+    /// Of `impl Type`.
+    inherent: BTreeMap<String, Vec<String>>,
+    /// Of `trait`.
+    of_traits: BTreeSet<String>,
+}
+
+impl Names {
+    fn read() -> Self {
+        let mut names = Self::default();
+        let mut files = Vec::new();
+        rust_files(&root().join("src"), &mut files);
+        for file in files {
+            let path = file.strip_prefix(root()).expect("inside").display().to_string();
+            names.add(&path, &read(&file));
+        }
+        names
+    }
+
+    fn add(&mut self, path: &str, code: &str) {
+        // The head of the block that is open.
+        let mut head = String::new();
+        for line in code.lines() {
+            let word = |from: &str, kinds: &[&str]| {
+                let mut words = from.split(|c: char| !c.is_alphanumeric() && c != '_' && c != '(');
+                let kind = words.by_ref().find(|word| kinds.contains(word))?;
+                let name = words.next()?.split('(').next()?.to_owned();
+                (kind != "fn" || from.contains('(') || from.contains('<')).then_some(name)
+            };
+            let code = line.trim_start();
+            if code.starts_with("//") {
+                continue;
+            }
+            match line.len() - code.len() {
+                0 if code.starts_with("impl") => head = code.to_owned(),
+                0 if code == "}" => head.clear(),
+                0 if ["pub", "fn", "const fn", "unsafe", "struct", "enum", "type", "trait"]
+                    .iter()
+                    .any(|start| code.starts_with(start)) =>
+                {
+                    let kinds = ["fn", "struct", "enum", "type", "trait"];
+                    let declares = !code.contains(" use ") && !code.contains(" mod ");
+                    if let Some(name) = declares.then(|| word(code, &kinds)).flatten() {
+                        self.items.entry(name).or_default().push(path.to_owned());
+                    }
+                    if code.contains("trait ") {
+                        head = code.to_owned();
+                    }
+                }
+                4 if code.contains("fn ") && code.contains('(') && !head.is_empty() => {
+                    let Some(name) = word(code, &["fn"]) else { continue };
+                    if head.contains("trait ") {
+                        self.of_traits.insert(name);
+                    } else if !head.contains(" for ") {
+                        self.inherent.entry(name).or_default().push(path.to_owned());
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Following a name by grep ends in one thing. `-- --nocapture` prints what is left: `F` is the
+/// number of both precisions, `F32Pair` the register of each processor.
+#[test]
+fn names_stand_for_one_thing() {
+    const LEFT: [&str; 2] = ["F", "F32Pair"];
+    let Names { items, inherent, of_traits } = Names::read();
+    let counts = [items.len(), inherent.len(), of_traits.len()];
+    assert!(counts.iter().zip([400, 200, 50]).all(|(count, least)| *count > least), "{counts:?}");
+    let twice: Vec<_> = items.iter().filter(|(_, files)| files.len() > 1).collect();
+    println!("{twice:#?}");
+    assert!(twice.iter().all(|(name, _)| LEFT.contains(&name.as_str())), "{twice:#?}");
+    let hidden: Vec<_> = inherent.iter().filter(|(name, _)| of_traits.contains(*name)).collect();
+    assert!(hidden.is_empty(), "inherent, and of a trait: {hidden:#?}");
+}
+
+#[test]
+fn names_are_told_from_their_blocks() {
+    let mut names = Names::default();
+    let code = "pub(crate) const fn a<T>(x: T) {\n    fn b() {}\n}\nimpl<T> C<T> {\n\
+                \x20   pub fn d(\n}\nimpl E for C {\n    fn f() {}\n}\npub trait E {\n\
+                \x20   fn f();\n}\nuse g::h;\nstruct C;\n// fn j()\npub mod k;";
+    names.add("l.rs", code);
+    assert_eq!(names.items.into_keys().collect::<Vec<_>>(), ["C", "E", "a"]);
+    assert_eq!(names.inherent.into_keys().collect::<Vec<_>>(), ["d"]);
+    assert_eq!(names.of_traits.into_iter().collect::<Vec<_>>(), ["f"]);
+}
