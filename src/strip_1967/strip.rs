@@ -138,7 +138,12 @@ pub fn adhesion_length<T: Number>(xi_bar: T, eta: T, psi: T) -> Option<T> {
 /// `κ/a` of a strip of this half length that adheres, and the adhesion length for creepages of size
 /// one, with these: `[κ/a, K, ξ̄, η]`. `None` for a strip that slides.
 #[inline]
-pub(super) fn adhesion<T: Number>(half_length: T, xi_bar: T, eta: T, psi: T) -> Option<[T; 4]> {
+pub(super) fn adhesion_regime<T: Number>(
+    half_length: T,
+    xi_bar: T,
+    eta: T,
+    psi: T,
+) -> Option<[T; 4]> {
     // α and β + ψ do not change when ξ̄ and η are scaled together; κ scales with them. Solving
     // at size one keeps squares of tiny creepages from underflowing.
     let size = xi_bar.value().abs().max(eta.value().abs());
@@ -188,7 +193,7 @@ impl<T: Number> Strip<T> {
     }
 
     fn adhesion(half_length: T, xi_bar: T, eta: T, psi: T) -> Option<Regime<T>> {
-        let [kappa, length, x, e] = adhesion(half_length, xi_bar, eta, psi)?;
+        let [kappa, length, x, e] = adhesion_regime(half_length, xi_bar, eta, psi)?;
         // α = a ξ̄/κ,  β = a η/κ   (5.40)
         Some(Regime::Adhesion { kappa, alpha: x / length, beta_plus_psi: e / length + psi })
     }

@@ -12,7 +12,7 @@ use crate::number::{Float, add};
 use crate::strip_1967::edge::{self, Arc, Edge};
 use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::reduced::ReducedCreepage;
-use crate::strip_1967::strip::{SlidingRule, adhesion, adhesion_length, spin_within};
+use crate::strip_1967::strip::{SlidingRule, adhesion_length, adhesion_regime, spin_within};
 use crate::strip_1967::totals;
 use core::f64::consts::PI;
 use heapless::Vec;
@@ -94,7 +94,7 @@ pub fn visit_strips<F: Float>(
         // ∫ C² dY, divided by its total 4/3.
         let load = width * (curved - y * y).times(0.75);
         let c = Edge::at(y).c;
-        let found = adhesion(c, xi - slope * y, eta, spin);
+        let found = adhesion_regime(c, xi - slope * y, eta, spin);
         // (The same bits as from the separatrix, −C + 2κ.)
         let kappa = found.map(|[kappa, ..]| (kappa + kappa - c + c).times(0.5));
         visit(PlacedStrip {
