@@ -72,8 +72,12 @@ pub fn points(name: &str) -> [Vec<f64>; 2] {
 /// The profile of such a file.
 pub fn profile(name: &str) -> Box<Surface<f64>> {
     let [y, z] = points(name);
+    prepared(&y, &z)
+}
+
+pub fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
     let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(&y, &z, 0.0, 0.0).unwrap();
+    surface.prepare(y, z, 0.0, 0.0).unwrap();
     surface
 }
 

@@ -1,8 +1,9 @@
 //! Wheels on rollers: against Hertz, spheres, a search over both surfaces, and the wheel on a
 //! straight rail.
 
+use crate::manchester::prepared;
 use crate::manchester::zeroed;
-use crate::wheel_rail::{Stand, difference, power, surface};
+use crate::wheel_rail::{Stand, difference, power};
 use approx::assert_relative_eq;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::wheel_rail::scene::Workspace;
@@ -23,7 +24,7 @@ fn on_head(head: f64, step: f64, rail_radius: f64, wheel: impl Fn(f64) -> f64) -
     let y: Vec<f64> = (-100..=100).map(|i| f64::from(i) * step).collect();
     let head: Vec<f64> = y.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
     let wheel: Vec<f64> = y.iter().map(|y| wheel(*y)).collect();
-    let mut stand = Stand::new(surface(&y, &head), surface(&y, &wheel), RADIUS);
+    let mut stand = Stand::new(prepared(&y, &head), prepared(&y, &wheel), RADIUS);
     stand.pair.rail_radius = rail_radius;
     stand
 }

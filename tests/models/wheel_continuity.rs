@@ -1,7 +1,7 @@
 //! A wheel over real and drawn profiles: nothing jumps, contacts begin without load, no overlap is
 //! lost, and the height for a load does not depend on where the search begins.
 
-use crate::manchester::{points, steel, zeroed};
+use crate::manchester::{points, prepared, steel, zeroed};
 use crate::random::Random;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
@@ -11,7 +11,8 @@ use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, Wrench};
 use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 
-const RAILS: [(&str, f64); 6] = [
+/// Profiles that were drawn or measured, and angles by which rails are turned \[rad\].
+pub(crate) const RAILS: [(&str, f64); 6] = [
     ("uic60", 0.025),
     ("rail288", 0.0),
     ("avgHR", 0.0),
@@ -19,15 +20,9 @@ const RAILS: [(&str, f64); 6] = [
     ("wornhm", 0.0),
     ("avglow", 0.0),
 ];
-const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
+pub(crate) const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
 const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.05, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
-
-fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(y, z, 0.0, 0.0).unwrap();
-    surface
-}
 
 /// A profile of the data, turned, with noise of a size across.
 fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<Surface<f64>> {

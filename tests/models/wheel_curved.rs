@@ -1,7 +1,7 @@
 //! Contacts whose normal turns: each strip has its own slip. Derivatives, symmetry, power, and what
 //! becomes of a contact that is nearly flat.
 
-use crate::manchester::{points, steel, zeroed};
+use crate::manchester::{profile, steel, zeroed};
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
@@ -10,16 +10,8 @@ use kstrip::friction::derivatives::Differentiated;
 use kstrip::patch::{friction, solver};
 use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchDerivatives, of_contacts};
 use kstrip::wheel_rail::{Position, Velocity};
-
-fn profile(name: &str) -> Box<Surface<f64>> {
-    let [y, z] = points(name);
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(&y, &z, 0.0, 0.0).unwrap();
-    surface
-}
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
 fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {

@@ -1,35 +1,15 @@
 //! Derivatives of a wheel's forces with respect to its position against differences that converge,
 //! on real profiles.
 
-use crate::manchester::{points, steel, zeroed};
+use crate::manchester::{steel, zeroed};
 use crate::random::Random;
+use crate::wheel_continuity::{RAILS, WHEELS};
+use crate::wheel_rail::profile;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, WrenchByPosition};
 use kstrip::wheel_rail::{Position, Velocity};
-
-const RAILS: [(&str, f64); 6] = [
-    ("uic60", 0.025),
-    ("rail288", 0.0),
-    ("avgHR", 0.0),
-    ("siteb", 0.025),
-    ("wornhm", 0.0),
-    ("avglow", 0.0),
-];
-const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
-
-/// A profile of the data, turned.
-fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
-    let [y, z] = points(name);
-    let (sine, cosine) = turn.sin_cos();
-    let turned = |(y, z): (&f64, &f64)| (y * cosine - z * sine, y * sine + z * cosine);
-    let (y, z): (Vec<f64>, Vec<f64>) = y.iter().zip(&z).map(turned).unzip();
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(&y, &z, 0.0, 0.0).unwrap();
-    surface
-}
 
 type Members = [f64; 6];
 

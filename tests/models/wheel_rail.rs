@@ -1,7 +1,7 @@
 //! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes,
 //! continuity, friction by place, bad input.
 
-use crate::manchester::{self, Wheelset, points, steel, zeroed};
+use crate::manchester::{self, Wheelset, points, prepared, steel, zeroed};
 use approx::assert_relative_eq;
 use kstrip::contact::hertz::{Radii, hertz};
 use kstrip::contact::totals::StripCount;
@@ -27,12 +27,6 @@ pub(crate) fn number(row: &HashMap<String, String>, name: &str) -> f64 {
     row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
 }
 
-pub(crate) fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(y, z, 0.0, 0.0).unwrap();
-    surface
-}
-
 /// A profile of the data, turned about its origin.
 pub(crate) fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
     let [y, z] = points(name);
@@ -40,7 +34,7 @@ pub(crate) fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
     let turned =
         |along: f64, across: f64| (along * cosine - across * sine, along * sine + across * cosine);
     let (y, z): (Vec<f64>, Vec<f64>) = y.iter().zip(&z).map(|(y, z)| turned(*y, *z)).unzip();
-    surface(&y, &z)
+    prepared(&y, &z)
 }
 
 /// A wheel, a rail, and memory.
@@ -208,7 +202,7 @@ fn a_cone_on_a_round_head_is_that_of_hertz() {
     let points: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
     let arc: Vec<f64> = points.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
     let cone: Vec<f64> = points.iter().map(|y| -y * angle.tan()).collect();
-    let mut stand = Stand::new(surface(&points, &arc), surface(&points, &cone), 0.46);
+    let mut stand = Stand::new(prepared(&points, &arc), prepared(&points, &cone), 0.46);
     for shift in [-3e-3, 0.0, 4.321e-3] {
         // contact where the head is as steep as the cone, at head sin a to the left of its middle
         let place = -head * angle.sin();
@@ -245,7 +239,7 @@ fn a_rolled_cylinder_touches_where_geometry_says() {
     let points: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
     let arc: Vec<f64> = points.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
     let flat = vec![0.0; points.len()];
-    let mut stand = Stand::new(surface(&points, &arc), surface(&points, &flat), radius);
+    let mut stand = Stand::new(prepared(&points, &arc), prepared(&points, &flat), radius);
     let far = f64::INFINITY;
     let radii = Radii { lower_x: far, lower_y: head, upper_x: radius, upper_y: far };
     for roll in [-0.06, 0.0, 0.03, 0.07_f64] {

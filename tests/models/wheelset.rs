@@ -1,7 +1,7 @@
 //! The wheelset: balance, derivatives, power, Klingel's wave, EN 15302, Nadal, the Manchester
 //! benchmark, and the curve.
 
-use crate::manchester::{self, profile, steel, zeroed};
+use crate::manchester::{self, prepared, profile, steel, zeroed};
 use approx::assert_relative_eq;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::options::Model;
@@ -45,12 +45,6 @@ fn at(lateral: f64, yaw: f64) -> Position<f64> {
     Position { lateral, yaw, ..Position::default() }
 }
 
-fn surface(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
-    let mut surface = zeroed::<Surface<f64>>();
-    surface.prepare(y, z, 0.0, 0.0).unwrap();
-    surface
-}
-
 impl Stand {
     fn new(rail: Box<Surface<f64>>, wheel: Box<Surface<f64>>, origin: f64) -> Self {
         let left = WheelPair { left: 1, ..steel(RADIUS) };
@@ -77,7 +71,7 @@ impl Stand {
         let y: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
         let arc: Vec<f64> = y.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
         let line: Vec<f64> = y.iter().map(|y| -y * cone).collect();
-        Self::new(surface(&y, &arc), surface(&y, &line), HALF)
+        Self::new(prepared(&y, &arc), prepared(&y, &line), HALF)
     }
 
     fn split(
