@@ -101,7 +101,7 @@ pub(crate) fn differentiate_each<F: Float>(
     Ok(worst)
 }
 
-/// Stops at the first error, and tells its number.
+/// Stops at the first error and returns it with its number.
 pub(super) fn try_each(
     mut numbers: core::ops::Range<usize>,
     mut task: impl FnMut(usize) -> Result<(), Error>,

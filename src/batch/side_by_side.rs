@@ -22,7 +22,7 @@ use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
 use crate::status::{Error, Warning};
 use core::ops::Range;
 
-/// Contacts that stand side by side at most.
+/// Largest number of contacts side by side.
 const MOST: usize = 8;
 
 /// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
@@ -39,8 +39,8 @@ pub(super) fn solve_side_by_side<F: Float>(
 }
 
 /// [`differentiate_batch`](crate::batch::differentiate_batch) of checked contacts side by side, if
-/// the processor has wide registers and no friction falls; of models with strips the registers are
-/// full with those of one contact.
+/// the processor has wide registers and no friction falls. The strips of one contact fill the
+/// registers already, so that models with strips are not among them.
 #[inline]
 pub(super) fn differentiate_side_by_side<F: Float>(
     count: usize,
@@ -55,8 +55,8 @@ pub(super) fn differentiate_side_by_side<F: Float>(
     together.then(|| unsafe { differentiate_groups(count, options, get, put) })
 }
 
-/// Checks inputs, those that are not ordinary by another check, if the processor has wide
-/// registers.
+/// Checks inputs if the processor has wide registers; groups that are not ordinary go through the
+/// other check.
 #[inline]
 pub(super) fn check_side_by_side<F: Float>(
     count: usize,
@@ -87,8 +87,8 @@ fn check_groups<F: Float>(
 /// contact.
 const MILD: f64 = 0.47;
 
-/// Whether a few comparisons tell of contacts side by side that no check fails, and that no
-/// derivative is too large.
+/// Whether a few comparisons show that no check of these contacts fails, and that no derivative is
+/// too large.
 #[inline(always)]
 fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
     let first = numbers.start;
@@ -207,8 +207,8 @@ fn differentiate_groups<F: Float>(
     Ok(worst.worse(differentiate_each(whole..count, options, get, put)?))
 }
 
-/// Whether contacts may be solved side by side: not lost ones, nor those without friction or of
-/// unlike materials, nor those of which something must be said.
+/// Whether contacts may be solved side by side: none is lost, without friction or of unlike
+/// materials, and none needs a warning about its size.
 #[inline(always)]
 fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
     contact.mismatch.lies_within(L::zero())
@@ -257,7 +257,7 @@ fn group<F: Float>(
     )
 }
 
-/// Numbers of contacts, each side by side.
+/// Some numbers of each contact, side by side.
 #[inline(always)]
 fn together<F: Float, const N: usize>(
     first: usize,
@@ -311,7 +311,7 @@ fn lane_of<L: Real + Strips<L::Stored>>(
     }
 }
 
-/// What was found side by side.
+/// Results of the contacts of a group.
 struct GroupResult<L> {
     /// `fx, fy, mz, power, adhesion`
     quantities: [L; 5],
@@ -334,7 +334,7 @@ where
         let notices = notices(model, frame, forces, psi);
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let power = creepage.power([fx, fy, mz]);
-        // at rest: no force, and adhesion everywhere
+        // At rest there is no force, and adhesion everywhere.
         let zero = L::zero();
         let motion = longitudinal.abs() + lateral.abs() + spin.abs();
         let resting = if model == Model::Total { adhesion } else { L::one() };
@@ -351,7 +351,7 @@ where
     }
 }
 
-/// The warning for the callers.
+/// The warning of each contact.
 #[inline(always)]
 fn notices<L: Real + Strips<L::Stored>>(
     model: Model,
@@ -371,7 +371,7 @@ fn notices<L: Real + Strips<L::Stored>>(
         return notices;
     }
     let largest = if matches!(model, Model::Strip | Model::Total) { LARGEST_SPIN } else { 0.999 };
-    // (for all models alike: those that it holds up are solved one by one)
+    // The same for all models: a group that is outside is classified one by one.
     let usual = psi.abs().lies_between(L::zero(), L::of(largest))
         & ratio.lies_between(L::of(RATIOS[0]), L::of(RATIOS[1]));
     if !usual {

@@ -33,7 +33,7 @@ unsafe impl<F: Float> Numbers<F> for Total<F> {}
 unsafe impl<F: Float> Numbers<F> for strip::Flexibilities<F> {}
 unsafe impl<F: Float> Numbers<F> for Linear<F> {}
 
-/// The first number of a prepared structure: it tells the precision and the model.
+/// The first number of a prepared structure: it encodes the precision and the model.
 #[inline]
 fn mark<F: Float>(model: Model) -> F {
     F::constant(1.967 * size_of::<F>() as f64) + F::widened(model as i32 as f32)

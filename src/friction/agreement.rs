@@ -9,17 +9,17 @@ use crate::status::{Error, Warning};
 const WALK_STEPS: usize = 100;
 /// Largest number of steps of the secant method, which ends after four to six.
 const SECANT_STEPS: usize = 60;
-/// Steps from which on every third halves the bracket.
+/// Number of steps after which every third one halves the bracket.
 const PATIENCE: usize = 6;
-/// How much less than 1 the slope of `g` is taken for at first in a walk, and the factor by which
-/// this falls with each step.
+/// The distance of the slope of `g` from 1 that is assumed at first in a walk, and the factor by
+/// which it falls with each step.
 const CAUTION: f64 = 0.25;
 const LESS: f64 = 0.7;
 
-/// `μ = g(μ)`, with what is known of `g`.
+/// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
     law: &'a SlipFriction<F>,
-    /// Upper bound of the slip of all points, over the rolling speed.
+    /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
     /// The friction bound at `μ = 1`.
     load: F,
@@ -38,7 +38,7 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         let largest = law.friction;
         let least = law.at(*rigid);
         if least * *load <= F::zero() {
-            // Friction that vanishes altogether: nothing slips against anything.
+            // Without any friction the bodies do not resist each other.
             return Ok((self.walk(largest, [least, largest])?.0, Warning::None));
         }
         let high = next(largest)?;
@@ -66,7 +66,7 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
     }
 
     /// The only solution in a bracket of `g(μ) − μ`, from its value at the negative end and from a
-    /// first guess, by the secant method. The second result tells whether the method reached
+    /// first guess, by the secant method. The second result is whether the method reached
     /// rounding. It does not where the forces jump (strips of 1967 that do not move with the
     /// solution).
     fn between(&self, mut bracket: Bracket<F>, end_error: F, first: F) -> Result<(F, bool), Error> {

@@ -85,7 +85,7 @@ impl<F: Float> AtFriction<F> {
     /// ```
     ///
     /// The last of them are `κ dF/dκ`. As `F = M f(c/M, κ/μ)`, the power is
-    /// `P = M² p(c/M, κ/μ)/(G a b)`, which tells how the slip changes:
+    /// `P = M² p(c/M, κ/μ)/(G a b)`, which gives the change of the slip:
     ///
     /// ```text
     /// N ∂s/∂N = (P − (∂P/∂c) c)/M,   through Hertz ⅓ (P − (∂P/∂v) v)/M,

@@ -98,7 +98,7 @@ pub fn solve_with_law<F: Float>(
 /// [`solve_with_law`] for inputs that [`check_with_law`] has accepted.
 ///
 /// # Errors
-/// Those of [`forces::forces_of_contact`], which no such inputs bring.
+/// Those of [`forces::forces_of_contact`], which such inputs do not cause.
 pub(crate) fn solve_with_law_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -129,7 +129,7 @@ pub fn contact_with_law<F: Float>(
 /// [`contact_with_law`] for inputs that [`check_with_law`] has accepted.
 ///
 /// # Errors
-/// Those of [`forces::forces_of_contact`], which no such inputs bring.
+/// Those of [`forces::forces_of_contact`], which such inputs do not cause.
 pub(crate) fn contact_with_law_checked<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -144,7 +144,7 @@ pub(crate) fn contact_with_law_checked<F: Float>(
 /// Checks the inputs of [`solve_with_law`] without solving.
 ///
 /// # Errors
-/// Those of [`solve_with_law`]: no smaller friction brings another.
+/// Those of [`solve_with_law`]: a smaller friction causes no other error.
 pub fn check_with_law<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -173,7 +173,7 @@ pub fn strips_with_law<F: Float>(
     }
 }
 
-/// Forces of a contact that is as stiff as the law says, through the layer of the law.
+/// Forces of a contact that has the stiffness of the law, through the layer of the law.
 ///
 /// # Errors
 /// Those of [`forces::forces_of_contact`].

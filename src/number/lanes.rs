@@ -10,7 +10,7 @@ use super::traits::{Arithmetic, InRegisters, Number, Pair, Real, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// `N` numbers side by side. Where they stand in memory tells `A`: anywhere with `()`, or [`Wide`].
+/// `N` numbers side by side. `A` is their alignment in memory: `()` for none, or [`Wide`].
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<T, const N: usize, A = ()>([T; N], [A; 0]);
 

@@ -115,7 +115,7 @@ pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item
     }
 }
 
-/// Reverses the order. (That of `core` can panic as far as the linker knows.)
+/// Reverses the order. (That of `core` contains a panic that the linker does not remove.)
 pub(crate) fn reverse<T>(mut slice: &mut [T]) {
     while let [first, inner @ .., last] = slice {
         core::mem::swap(first, last);

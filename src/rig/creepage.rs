@@ -40,11 +40,11 @@ const MOST: usize = 40;
 const IDLE: usize = 6;
 const STARTS: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
-/// The next step over this one, up to which this one leads closer.
+/// Largest ratio of the next step to this one with which this one is accepted.
 const SHORTER: f64 = 0.8;
 /// Error below which no step is damped: the force falls again, and the root lies beyond.
 const CLOSE: f64 = 0.1;
-/// Damping, over the sum of the squares of the slopes, where the plain step leads no closer, and
+/// Damping, divided by the sum of the squares of the slopes, if the plain step leads no closer, and
 /// the factor by which the damping grows.
 const DAMPING: f64 = 0.03;
 const GROWTH: f64 = 10.0;
@@ -145,7 +145,7 @@ pub fn creepage_for_force_under<F: Float>(
     Ok((aim.creepage(found.at), warning.worse(found.warning)))
 }
 
-/// A contact and a force that it shall carry.
+/// A contact and the force that is requested of it.
 pub(crate) struct Aim<'a, F> {
     contact: &'a Contact<F>,
     law: Option<&'a SlipFriction<F>>,
@@ -155,25 +155,25 @@ pub(crate) struct Aim<'a, F> {
     target: [F; 2],
     /// `μ N`; of the linear theory the size of the forces.
     unit: F,
-    /// The unit over `G a b`.
+    /// The unit divided by `G a b`.
     slip: F,
     saturates: bool,
     /// Solutions so far.
     pub(crate) solved: usize,
 }
 
-/// A creepage and what it leads to.
+/// A creepage with its error and the derivatives of this.
 #[derive(Clone, Copy)]
 pub(crate) struct Iterate<F> {
-    /// `(υx, υy)` over the unit of slip
+    /// `(υx, υy)` divided by the unit of slip
     pub(crate) at: [F; 2],
     /// `L(F) − L(target)`
     error: [F; 2],
     /// Its derivatives, row by row.
     slopes: [[F; 2]; 2],
-    /// How large the error is.
+    /// The size of the error.
     off: F,
-    /// `|F − target|` over the unit
+    /// `|F − target|` divided by the unit
     pub(crate) distance: F,
     warning: Warning,
 }
@@ -227,7 +227,7 @@ impl<'a, F: Float> Aim<'a, F> {
     ) -> Self {
         let saturates = options.model != Model::Linear;
         let Contact { a, b, shear_modulus, .. } = *contact;
-        // about as soft as the law makes it
+        // about as flexible as the law makes it
         let factor = law.map_or(F::one(), |law| {
             let layer = law.interface(shear_modulus, a).layer;
             law.slope_or_one() / layer.times(1.6).plus(1.0)
@@ -277,7 +277,7 @@ impl<'a, F: Float> Aim<'a, F> {
         Ok(Iterate { at, error, slopes, off, distance, warning: solution.warning })
     }
 
-    /// The place of the requested force, or the nearest that was found.
+    /// The creepage of the requested force, or the nearest one that was found.
     pub(crate) fn find(&mut self) -> Result<Iterate<F>, Error> {
         let start = self.place([F::zero(); 2])?;
         let mut best = self.follow(start);
@@ -302,7 +302,7 @@ impl<'a, F: Float> Aim<'a, F> {
         Ok(best)
     }
 
-    /// Step by step from a place, as long as steps lead closer.
+    /// Takes steps from a creepage, as long as they lead closer.
     fn follow(&mut self, start: Iterate<F>) -> Iterate<F> {
         let (mut place, mut before) = (start, None);
         let (mut share, mut damping) = (F::one(), F::zero());
@@ -324,7 +324,7 @@ impl<'a, F: Float> Aim<'a, F> {
             } else if near {
                 break;
             } else {
-                // along the error, which the step shall take to zero
+                // along the error, which the step is to make zero
                 let along = |[x, y]: [F; 2]| (x * error[0] + y * error[1]) / off;
                 let beyond = along(next.error);
                 if beyond < F::zero() {

@@ -28,7 +28,7 @@ const MOST: usize = 80;
 const DAMPING: [f64; 3] = [1e-2, 1e-8, 1e8];
 const FALLS: f64 = 0.2;
 const GROWS: f64 = 4.0;
-/// Fall of the sum that ends the search, over the sum and the root of a rounding.
+/// Fall of the sum that ends the search, divided by the sum and by the root of a rounding.
 const REACHED: f64 = 0.01;
 /// Least factors, and least layer over the flexibility of the bodies: below them no derivative is
 /// left.
@@ -38,7 +38,7 @@ const LEAST: f64 = 1e-3;
 /// exceed.
 const PRESUMED: f64 = 0.01;
 const UNCERTAIN: f64 = 0.5;
-/// `8/(3 C₁₁)`, about: the flexibility of the bodies over `a/G`.
+/// About `8/(3 C₁₁)`: the flexibility of the bodies divided by `a/G`.
 const FLEXIBILITY: f64 = 0.6;
 
 /// One measured point of a creep curve.
@@ -88,8 +88,8 @@ pub type Fitted = [bool; 6];
 
 /// The law whose forces come nearest to measured ones.
 ///
-/// `fitted` says which members of `start` are looked for; the others stay. A member that is looked
-/// for and has no start (zero) begins at a usual one.
+/// `fitted` says which members of `start` are fitted; the others stay. A fitted member that has no
+/// start (zero) begins at a usual value.
 ///
 /// # Errors
 /// Those of [`differentiate_with_law`], of a point with its number; [`Error::Measured`],
@@ -105,7 +105,7 @@ pub fn fit_friction<F: Float>(
     Fit::new(contact, points, start, fitted, options)?.find()
 }
 
-/// The points, and what is looked for.
+/// The points and the parameters that are fitted.
 struct Fit<'a, F> {
     contact: &'a Contact<F>,
     points: &'a [MeasuredForce<F>],

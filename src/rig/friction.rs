@@ -12,13 +12,13 @@ use crate::number::{Float, are_finite};
 use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
 
-/// Friction over used friction beyond which the contact is taken to stick: the force differs by
-/// about one per cent from that of linear theory there.
+/// Ratio of friction to used friction beyond which the contact is taken to stick: the force differs
+/// by about one per cent from that of linear theory there.
 const STICKING: f64 = 20.0;
-/// Largest friction that is tried, over the friction that adhesion needs.
+/// Largest friction that is tried, divided by the friction that adhesion needs.
 const RANGE: f64 = 1e4;
-/// Largest friction that adhesion may need, over the used friction. Beyond it only full sliding can
-/// be told.
+/// Largest friction that adhesion may need, divided by the used one. Beyond it only full sliding
+/// can be told.
 const SLIDING: f64 = 1e5;
 /// The way up from the used friction: the largest number of steps; limits of the ratio that tells
 /// how far in sliding the contact is; and the growth of `x` in a step, for a ratio above all
@@ -99,7 +99,7 @@ pub fn estimate_friction_under<F: Float>(
 
 /// A contact on a rig, and what was measured.
 pub(crate) struct Rig<'a, F> {
-    /// With any friction.
+    /// The contact; its friction is ignored.
     contact: Contact<F>,
     creepage: &'a Creepage<F>,
     law: Option<&'a SlipFriction<F>>,
@@ -116,7 +116,7 @@ pub(crate) struct Rig<'a, F> {
 }
 
 impl<'a, F: Float> Rig<'a, F> {
-    /// Checks everything.
+    /// Checks all inputs.
     pub(crate) fn new(
         contact: &Contact<F>,
         creepage: &'a Creepage<F>,
@@ -147,7 +147,7 @@ impl<'a, F: Float> Rig<'a, F> {
         let unit = (shear_modulus * a * b * size / normal_force + mismatch.abs()).times(4.0);
         let most = used.times(SLIDING);
         let unit = if unit < most { unit } else { most };
-        // whatever is tried
+        // for any friction that is tried
         let friction = unit.max(used).times(RANGE * 1.01);
         check(&Contact { friction, ..contact })?;
         Ok(Self { contact, creepage, law, options, measured, target, used, unit, solved: 0 })
@@ -155,7 +155,7 @@ impl<'a, F: Float> Rig<'a, F> {
 
     /// No force: friction is zero, unless there is no slip to show it.
     fn without_force(&self) -> Result<FrictionEstimate<F>, Error> {
-        // What a little friction gives, in units of itself: the direction of full sliding
+        // The force per unit of a small friction: the direction of full sliding
         let (_, [x, y, _], _) = self.solve(F::zero())?;
         let direction = self.measured.component([x, y]);
         let mut found = self.at_least();
@@ -208,7 +208,7 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok((solution, [force, slope]))
     }
 
-    /// How much more than measured, over `N` and the unit, at `x`.
+    /// The excess over the measured force, divided by `N` and the unit, at `x`.
     fn excess(&mut self, x: F, friction: F) -> Result<Sample<F>, Error> {
         let (_, [force, slope]) = self.force(friction)?;
         let over = self.contact.normal_force * self.unit;
@@ -237,7 +237,7 @@ impl<'a, F: Float> Rig<'a, F> {
         Error::Unexplained.unless(most + used / unit > F::zero())?;
         let slides = first.value >= F::zero();
         let (friction, settled) = if slides { (used, true) } else { self.smallest(&search)? };
-        // of the friction that there is
+        // with respect to the actual friction
         let now = match self.law {
             Some(law) if law.falls() && friction < F::LARGEST => self.solve(friction)?.2,
             _ => friction,
@@ -312,7 +312,7 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok((jump.unwrap_or(F::LARGEST), false))
     }
 
-    /// Newton's method, guarded by bisection. The second result tells whether it ends in a root.
+    /// Newton's method, guarded by bisection. The second result is whether it ends in a root.
     fn root(&mut self, interval: &Interval<F>) -> Result<(Sample<F>, bool), Error> {
         let [mut below, mut above] = interval.ends();
         let mut bracket = Bracket { negative: below.x, positive: above.x };

@@ -16,13 +16,13 @@ use heapless::Vec;
 /// two roots.
 const KEPT: usize = 64;
 /// Weights of the three parts of the error estimate: the distance of the slopes from those of a
-/// parabola, the change of the slopes, and the width of the interval over its place.
+/// parabola, the change of the slopes, and the width of the interval divided by its place.
 const NO_PARABOLA: f64 = 2.0;
 const TURN: f64 = 0.3;
 const WIDTH: f64 = 4.0;
 /// Error of the values, in roundings.
 const ROUNDINGS: f64 = 500.0;
-/// Largest slope of the function over `x/(1 − x)`, up or down.
+/// Largest slope of the function divided by `x/(1 − x)`, in size.
 pub(super) const STEEPEST: f64 = 1.5;
 
 /// A place `0 < x < 1`, the function there, and its derivative.
@@ -49,7 +49,7 @@ impl<F: Float> Sample<F> {
 pub(super) struct Interval<F> {
     pub(super) from: Sample<F>,
     pub(super) to: Sample<F>,
-    /// Above one it may hide roots.
+    /// A number above one means that the interval may hide roots.
     danger: F,
 }
 
@@ -69,7 +69,7 @@ impl<F: Float> Interval<F> {
     }
 }
 
-/// The intervals that matter.
+/// The intervals that contain or may hide a root.
 pub(super) struct Search<F> {
     kept: Vec<Interval<F>, KEPT>,
     /// Whether the function jumps, so that nothing bounds its growth.
@@ -81,7 +81,7 @@ impl<F: Float> Search<F> {
         Self { kept: Vec::new(), jumps }
     }
 
-    /// Looks at the interval between two places.
+    /// Keeps the interval between two places if it contains or may hide a root.
     pub(super) fn add(&mut self, from: Sample<F>, to: Sample<F>) {
         let (danger, _) = self.judged(&from, &to);
         let interval = Interval { from, to, danger };
@@ -102,7 +102,7 @@ impl<F: Float> Search<F> {
         Some((*worst, self.judged(&worst.from, &worst.to).1))
     }
 
-    /// Divides an interval that [`next`](Self::next) told.
+    /// Divides an interval that [`next`](Self::next) has returned.
     pub(super) fn divide(&mut self, interval: &Interval<F>, at: Sample<F>) {
         if let Some(divided) = self.kept.iter_mut().find(|kept| kept.from.x == interval.from.x) {
             (divided.danger, divided.to) = (F::zero(), divided.from);
@@ -111,7 +111,7 @@ impl<F: Float> Search<F> {
         self.add(at, interval.to);
     }
 
-    /// How often the sign changes.
+    /// The number of changes of sign.
     pub(super) fn changes(&self) -> usize {
         self.kept.iter().filter(|interval| interval.changes()).count()
     }
@@ -122,7 +122,7 @@ impl<F: Float> Search<F> {
         changes.copied().reduce(|a, b| if b.from.x < a.from.x { b } else { a })
     }
 
-    /// What may be hidden between two places over what is needed for a root there; and where to
+    /// The possible error between two places divided by the error that a root needs; and where to
     /// look for it.
     fn judged(&self, from: &Sample<F>, to: &Sample<F>) -> (F, F) {
         let width = to.x - from.x;

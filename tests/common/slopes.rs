@@ -1,5 +1,5 @@
 //! What a simulation feels of a model besides its values: slopes against CONTACT's own, ripple,
-//! limits, power. Each figure of any method that answers a [`Case`]. Used by
+//! limits, power. Each figure of any method that solves a [`Case`]. Used by
 //! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
 #![allow(dead_code)]
 
@@ -58,7 +58,7 @@ pub fn slope_cases() -> Vec<SlopeCase> {
     (0..table.len()).map(row).collect()
 }
 
-/// The names of the entries that [`SlopeCase::error`] tells.
+/// The names of the entries whose errors [`SlopeCase::error`] returns.
 pub const ENTRIES: [[&str; 3]; 2] =
     [["∂fx/∂vx", "∂fx/∂vy", "∂fx/∂φ"], ["∂fy/∂vx", "∂fy/∂vy", "∂fy/∂φ"]];
 

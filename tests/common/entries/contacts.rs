@@ -169,7 +169,7 @@ pub struct All {
     pub strips: [MaybeUninit<kstrip_strip>; MOST_STRIPS],
     pub count: MaybeUninit<u32>,
     pub capacity: usize,
-    /// Which are wanted: result, derivatives, by the law, friction, strips, count.
+    /// Which are requested: result, derivatives, by the law, friction, strips, count.
     given: Given,
 }
 
@@ -215,7 +215,7 @@ impl All {
         ]
     }
 
-    /// Whether there is an answer: then what is wanted is written, and nothing else.
+    /// Whether there is an answer: then what is requested is written, and nothing else.
     pub fn answered(&self, status: i32, context: impl Fn() -> String) -> bool {
         let untouched = self.untouched();
         if !answered(status, untouched == [true; 6]) {

@@ -218,7 +218,7 @@ fn finite<N: Number>(numbers: &[N]) -> bool {
     numbers.iter().all(|&number| number.into().is_finite())
 }
 
-/// A status that the header knows.
+/// A status that the header defines.
 fn known(status: i32) -> bool {
     status < 0 && kstrip::status::advice(status).is_some()
         || (0..=HIGHEST_WARNING).contains(&status)
