@@ -37,11 +37,8 @@ pub(crate) fn find_fault<F: Float>(
     contact.check()?;
     creepage.check()?;
     let range = range(contact, creepage, model);
-    if contact.is_lost() || range.iter().all(|number| number.is_finite_number()) {
-        Ok(())
-    } else {
-        Err(Error::Overflow)
-    }
+    let fits = contact.is_lost() || range.iter().all(|number| number.is_finite_number());
+    Error::Overflow.unless(fits)
 }
 
 /// Upper bounds of power, moment, force and the slip by spin: every result is finite if these are.

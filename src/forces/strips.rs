@@ -50,9 +50,7 @@ pub fn strips_of<F: Float>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<usize, Error> {
-    if matches!(options.model, Model::Total | Model::Linear) {
-        return Err(Error::NotInModel);
-    }
+    Error::NotInModel.unless(!matches!(options.model, Model::Total | Model::Linear))?;
     check(contact, creepage, options)?;
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
@@ -68,9 +66,7 @@ pub fn strips<F: Float>(
     options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    if matches!(options.model, Model::Total | Model::Linear) {
-        return Err(Error::NotInModel);
-    }
+    Error::NotInModel.unless(!matches!(options.model, Model::Total | Model::Linear))?;
     check(contact, creepage, options)?;
     if contact.is_lost() {
         return Ok(Warning::None);

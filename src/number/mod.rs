@@ -89,7 +89,8 @@ pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::
     T::each(&numbers, |number| number.scale(factor))
 }
 
-/// Whether none is infinite or NaN. (All are asked; of many several at once: `0 x` is 0 or NaN.)
+/// Whether none is infinite or NaN. (Without an early end. Of many numbers eight are tested at
+/// once: `0 x` is 0 or NaN.)
 pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     if numbers.len() < MANY {
         return numbers.iter().fold(true, |finite, x| finite & x.is_finite_number());
@@ -104,7 +105,7 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     sums.iter().all(|sum| sum.is_finite_number())
 }
 
-/// From so many numbers on several are asked at once.
+/// Count from which eight numbers are tested at once.
 const MANY: usize = 32;
 
 /// Adds numbers to their sums.

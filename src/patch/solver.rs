@@ -29,7 +29,7 @@ use crate::friction::derivatives::BesidesSlopes;
 use crate::friction::layered::{LayerSlopes, WithSlopes};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number};
+use crate::number::{Arithmetic, Float, Number, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
     PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
@@ -80,19 +80,15 @@ impl<'a, F: Float> Problem<'a, F> {
         model: Model,
     ) -> Result<Self, Error> {
         creepage.check()?;
-        if model == Model::Linear || view.has_own() && model == Model::Total {
-            return Err(Error::NotInModel);
-        }
+        let has_strips = model != Model::Linear && (model != Model::Total || !view.has_own());
+        Error::NotInModel.unless(has_strips)?;
         let reach = view.sizes().reach;
         let [own, _] = view.most_own();
         let slip = largest_rigid_slip(creepage, reach) + own + most_strain(view);
         let bound = view.friction_bound();
         let results = [slip, bound * reach, bound * slip];
-        if results.iter().all(|result| result.is_finite_number()) {
-            Ok(Self { view, creepage, model })
-        } else {
-            Err(Error::Overflow)
-        }
+        Error::Overflow.unless(are_finite(&results))?;
+        Ok(Self { view, creepage, model })
     }
 
     /// The same checks for a model with strips.
@@ -101,9 +97,7 @@ impl<'a, F: Float> Problem<'a, F> {
         creepage: &'a Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
-        if model == Model::Total {
-            return Err(Error::NotInModel);
-        }
+        Error::NotInModel.unless(model != Model::Total)?;
         Self::new(view, creepage, model)
     }
 
@@ -423,11 +417,9 @@ pub(super) fn patch_with_slopes<F: Float>(
     }
     let values = [fx, fy, mz, power].map(|sum| sum.value);
     let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
-    if jacobian.iter().flatten().chain(others).all(|entry| entry.is_finite_number()) {
-        Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer))
-    } else {
-        Err(Error::Overflow)
-    }
+    let mut entries = jacobian.iter().flatten().chain(others);
+    Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
+    Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer))
 }
 
 /// The derivatives with respect to a factor of the strips' own creepages.

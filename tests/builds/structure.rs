@@ -184,6 +184,16 @@ fn lines_have_at_most_100_characters() {
     }
 }
 
+#[test]
+fn files_have_at_most_500_lines() {
+    let mut files = Vec::new();
+    rust_files(&root().join("src"), &mut files);
+    for file in files {
+        let count = read(&file).lines().count();
+        assert!(count <= 500, "{}: {count}", file.display());
+    }
+}
+
 /// The names that src defines outside of blocks and the names of methods, each with its files.
 #[derive(Default)]
 struct Names {
