@@ -19,8 +19,8 @@ use crate::status::{Error, Warning};
 /// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.
 /// Returns the warning with the largest code.
 ///
-/// `get` returns contact and creepage number `i`, `put` receives its solution. Where the processor has
-/// registers for several numbers, several contacts are solved side by side.
+/// `get` returns contact and creepage number `i`, `put` receives its solution. Where the processor
+/// has registers for several numbers, several contacts are solved side by side.
 ///
 /// All inputs are checked before anything is handed out: with an error nothing is. A lost contact
 /// is no error.
