@@ -59,17 +59,45 @@ pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }
 
-/// Derivatives `first` to `first + 2` of a number, side by side; zero beyond its last.
+/// A value and three derivatives.
+pub(crate) type ValueAndSlopes<F> = Lanes<F, 4>;
+
+/// A number without derivatives.
 #[inline]
-pub(crate) fn three_derivatives<T: Number>(x: &T, first: usize) -> Lanes<T::Base, 3> {
-    Lanes::new([0, 1, 2].map(|k| x.derivative(first + k)))
+pub(crate) fn beside_zeros<F: Real>(x: F) -> ValueAndSlopes<F> {
+    Lanes::new([x, F::zero(), F::zero(), F::zero()])
+}
+
+/// A number with its derivatives, of which there are at most three.
+#[inline]
+pub(crate) fn beside_derivatives<T: Number>(x: &T) -> ValueAndSlopes<T::Base> {
+    const { assert!(T::DIRECTIONS <= 3) };
+    Lanes::new([x.value(), x.derivative(0), x.derivative(1), x.derivative(2)])
+}
+
+/// The value.
+#[inline]
+pub(crate) fn value_of<F: Real>(x: ValueAndSlopes<F>) -> F {
+    let [value, ..] = x.numbers();
+    value
+}
+
+/// The number with its derivatives.
+#[inline]
+pub(crate) fn from_side_by_side<T: Number>(x: ValueAndSlopes<T::Base>) -> T {
+    let [value, derivatives @ ..] = x.numbers();
+    let mut number = T::from_base(value);
+    for (direction, derivative) in derivatives.into_iter().enumerate() {
+        number.set_derivative(direction, derivative);
+    }
+    number
 }
 
 /// Registers of sums at a time: they do not wait for each other.
 const BLOCK: usize = 6;
 /// The same of contacts side by side: a register is left for the input and one for the weight. On a
-/// microcontroller three derivatives side by side fill three registers of 32.
-const CONTACTS_BLOCK: usize = if cfg!(target_os = "none") { 8 } else { 12 };
+/// microcontroller a value and three derivatives stand side by side: 20 of 32 registers.
+const CONTACTS_BLOCK: usize = if cfg!(target_os = "none") { 5 } else { 12 };
 
 /// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
@@ -134,8 +162,9 @@ fn add_columns<F: Real, P: Strips<F>, const C: usize>(
     next
 }
 
+/// [`add_rows`] in place, of numbers that stand side by side.
 #[inline(always)]
-fn add_in_blocks<F: Real, const C: usize>(
+pub(crate) fn add_in_blocks<F: Real, const C: usize>(
     sums: &mut [F; C],
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],

@@ -3,7 +3,10 @@
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::lanes::Lanes;
-use crate::number::tables::{add_rows, couples_as_rows, row, table, three_derivatives, widen};
+use crate::number::tables::{
+    ValueAndSlopes, add_in_blocks, add_rows, beside_derivatives, beside_zeros, couples_as_rows,
+    from_side_by_side, row, table, value_of, widen,
+};
 use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
@@ -37,29 +40,27 @@ impl<F: Real> TotalNetwork<F> {
         let first = table!(F, couples_as_rows(&FIRST));
         let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
         let [last_offset] = table!(F, widen(&[LAST_BIAS]));
+        if cfg!(target_os = "none") && T::HAS_DERIVATIVES {
+            // Value and derivatives side by side, which reads each weight once for all.
+            let inputs = inputs.each_ref().map(beside_derivatives);
+            let mut units = self.sums.map(beside_zeros);
+            add_in_blocks(&mut units, inputs.iter().copied(), first);
+            move_on(&mut units);
+            let mut others = row::<F, UNITS_2>(second_offset).map(beside_zeros);
+            add_in_blocks(&mut others, units.iter().copied(), second);
+            move_on(&mut others);
+            return last_layer(others, row::<F, 6>(last_offset).map(beside_zeros))
+                .map(from_side_by_side);
+        }
         let sums = add_rows::<F, P, _>(self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
             activation(add_rows::<F, P, _>(row(second_offset), units.iter().copied(), second));
         let mut outputs = last_layer(units, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
-        if cfg!(target_os = "none") {
-            // Three side by side, which reads each weight once for all.
-            for first in (0..T::DIRECTIONS).step_by(3) {
-                let moves = inputs.each_ref().map(|x| three_derivatives(x, first));
-                let (moves, all) = (moves.iter().copied(), |x| Lanes::new([x; 3]));
-                let moved = moved::<F, _, Lanes<_, 1>>(moves, &slopes_1, &slopes_2, all);
-                for (output, moves) in outputs.iter_mut().zip(moved) {
-                    for (k, derivative) in moves.numbers().into_iter().enumerate() {
-                        output.set_derivative(first + k, derivative);
-                    }
-                }
-            }
-            return outputs;
-        }
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
-            let moved = moved::<F, F, P>(moves, &slopes_1, &slopes_2, |x| x);
+            let moved = moved::<F, P>(moves, &slopes_1, &slopes_2);
             for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
@@ -68,21 +69,29 @@ impl<F: Real> TotalNetwork<F> {
     }
 }
 
-/// How the corrections move when the inputs do; `all` converts a slope. (Out of line for the same
-/// reason.)
+/// How the corrections move when the inputs do. (Out of line for the same reason.)
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-fn moved<F: Real, G: Real<Stored = F::Stored>, P: Strips<G>>(
-    moves: impl Iterator<Item = G> + Clone,
+fn moved<F: Real, P: Strips<F>>(
+    moves: impl Iterator<Item = F> + Clone,
     slopes_1: &[F; UNITS_1],
     slopes_2: &[F; UNITS_2],
-    all: impl Fn(F) -> G,
-) -> [G; 6] {
+) -> [F; 6] {
     let first = table!(F, couples_as_rows(&FIRST));
     let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));
-    let units = times(add_rows::<G, P, _>([G::zero(); UNITS_1], moves, first), slopes_1, &all);
-    let units = add_rows::<G, P, _>([G::zero(); UNITS_2], units.iter().copied(), second);
-    last_layer(times(units, slopes_2, all), [G::zero(); 6])
+    let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), slopes_1);
+    let units = add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second);
+    last_layer(times(units, slopes_2), [F::zero(); 6])
+}
+
+/// Replaces sums and their derivatives, side by side, by units and theirs.
+#[inline(always)]
+fn move_on<F: Real, const N: usize>(sums: &mut [ValueAndSlopes<F>; N]) {
+    let (units, slopes) = activation(F::each(sums, |sum| value_of(*sum)));
+    for ((sum, unit), slope) in sums.iter_mut().zip(units).zip(slopes) {
+        let [_, x, y, z] = sum.numbers();
+        *sum = Lanes::new([unit, x * slope, y * slope, z * slope]);
+    }
 }
 
 /// The last layer: four chains of sums for each output.
@@ -104,13 +113,9 @@ fn last_layer<F: Real>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
 }
 
 #[inline(always)]
-fn times<F: Real, G: Real, const N: usize>(
-    mut x: [G; N],
-    y: &[F; N],
-    all: impl Fn(F) -> G,
-) -> [G; N] {
+fn times<F: Real, const N: usize>(mut x: [F; N], y: &[F; N]) -> [F; N] {
     for (x, y) in x.iter_mut().zip(y) {
-        *x = *x * all(*y);
+        *x = *x * *y;
     }
     x
 }
