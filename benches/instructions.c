@@ -9,7 +9,7 @@
 
 enum { CALLS = 512 };
 enum {
-    SOLVE, EVALUATE, DERIVATIVES, FALLING, FALLING_DERIVATIVES, PREPARED,
+    SOLVE, EVALUATE, DERIVATIVES, FALLING, FALLING_DERIVATIVES, LAYER, LAYER_DERIVATIVES, PREPARED,
     BATCH, BATCH_DERIVATIVES, BATCH_FALLING, BATCH_FALLING_DERIVATIVES, KINDS
 };
 /* of a profile with two bottoms, and of its patch */
@@ -32,14 +32,18 @@ static kstrip_creepage creepages[CALLS];
 /* friction that falls with the slip, at 20 m/s */
 static const kstrip_friction law = {0.3, 0.4, 0.6, 20, 1};
 static const kstrip_friction_f32 law_f32 = {0.3F, 0.4F, 0.6F, 20, 1};
+/* constant friction behind a layer about as flexible as the bodies */
+static const kstrip_friction layer = {.friction = 0.3, .ratio = 1, .layer = 4e-14};
+static const kstrip_friction_f32 layer_f32 = {.friction = 0.3F, .ratio = 1, .layer = 4e-14F};
 static int falls(int kind)
 {
     return kind == FALLING || kind == FALLING_DERIVATIVES || kind == BATCH_FALLING || kind == BATCH_FALLING_DERIVATIVES;
 }
 static int differentiates(int kind)
 {
-    return kind == DERIVATIVES || kind == FALLING_DERIVATIVES || kind == BATCH_DERIVATIVES || kind == BATCH_FALLING_DERIVATIVES;
+    return kind == DERIVATIVES || kind == FALLING_DERIVATIVES || kind == LAYER_DERIVATIVES || kind == BATCH_DERIVATIVES || kind == BATCH_FALLING_DERIVATIVES;
 }
+static int has_layer(int kind) { return kind == LAYER || kind == LAYER_DERIVATIVES; }
 static kstrip_contact_f32 contacts_f32[CALLS];
 static kstrip_creepage_f32 creepages_f32[CALLS];
 
@@ -142,7 +146,7 @@ void counted_calls(int kind, const kstrip_options *options)
         else if (kind == PREPARED)
             check(kstrip_solve_prepared(&prepared, &creepages[i], results));
         else
-            check(kstrip_evaluate(contacts, &creepages[i], falls(kind) ? &law : NULL, options, &outputs));
+            check(kstrip_evaluate(contacts, &creepages[i], has_layer(kind) ? &layer : falls(kind) ? &law : NULL, options, &outputs));
     }
 }
 
@@ -182,7 +186,7 @@ void counted_calls_f32(int kind, const kstrip_options *options)
         else if (kind == PREPARED)
             check(kstrip_solve_prepared_f32(&prepared, &creepages_f32[i], results));
         else
-            check(kstrip_evaluate_f32(contacts_f32, &creepages_f32[i], falls(kind) ? &law_f32 : NULL, options, &outputs));
+            check(kstrip_evaluate_f32(contacts_f32, &creepages_f32[i], has_layer(kind) ? &layer_f32 : falls(kind) ? &law_f32 : NULL, options, &outputs));
     }
 }
 
@@ -196,7 +200,8 @@ int main(void)
         const kstrip_creepage_f32 l = {(float)k.longitudinal, (float)k.lateral, (float)k.spin};
         contacts[i] = c, contacts_f32[i] = d, creepages[i] = k, creepages_f32[i] = l;
     }
-    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "falling", "falling_derivatives", "prepared", "batch",
+    static const char *const kinds[] = {"solve", "evaluate", "derivatives", "falling", "falling_derivatives",
+                                        "layer", "layer_derivatives", "prepared", "batch",
                                         "batch_derivatives", "batch_falling", "batch_falling_derivatives"};
     for (size_t m = 0; m < sizeof models / sizeof *models; m++)
         for (int is_f32 = 0; is_f32 < 2; is_f32++)

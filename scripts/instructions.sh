@@ -70,14 +70,15 @@ cp "$scratch/now" "$file"
 table=$(awk '
     /^#/ || $2 != "f64" { next }
     $3 == "solve" { solve[$1, $4] = $5; if (!($1 in seen)) { seen[$1]; order[++n] = $1 } }
-    $3 == "derivatives" { jacobian[$1] = $5 }
+    $3 != "solve" { other[$1, $3] = $5 }
     END {
-        print "| model | 4 strips | 8 | 16 | 32 | 64 | with derivatives, 16 |"
-        print "|---|---|---|---|---|---|---|"
+        print "| model | 4 strips | 8 | 16 | 32 | 64 | with derivatives, 16 | behind a layer, 16 | and with derivatives, 16 |"
+        print "|---|---|---|---|---|---|---|---|---|"
         for (i = 1; i <= n; i++) {
             m = order[i]
-            if ((m, 0) in solve) printf "| %s | – | – | %d | – | – | %d |\n", m, solve[m, 0], jacobian[m]
-            else printf "| %s | %d | %d | %d | %d | %d | %d |\n", m, solve[m, 4], solve[m, 8], solve[m, 16], solve[m, 32], solve[m, 64], jacobian[m]
+            if ((m, 0) in solve) printf "| %s | – | – | %d | – | – ", m, solve[m, 0]
+            else printf "| %s | %d | %d | %d | %d | %d ", m, solve[m, 4], solve[m, 8], solve[m, 16], solve[m, 32], solve[m, 64]
+            printf "| %d | %d | %d |\n", other[m, "derivatives"], other[m, "layer"], other[m, "layer_derivatives"]
         }
     }' "$file")
 awk -v table="$table" '

@@ -882,8 +882,8 @@ fn costs_in_prose_are_those_of_the_counts() {
 
 /// A batch costs no more than a loop of `kstrip_evaluate`, with derivatives and with falling
 /// friction too, and the derivatives of TOTAL and LINEAR at most seven tenths (where registers are
-/// wide, as on the machine of the counts); a prepared contact of LINEAR costs at most 100
-/// instructions (105 in single precision).
+/// wide, as on the machine of the counts); a layer costs TOTAL at most 6000 instructions, and 20 000
+/// with derivatives; a prepared contact of LINEAR at most 100 (105 in single precision).
 #[test]
 fn calls_cost_what_they_may() {
     for (precision, most) in [("f64", 100.0), ("f32", 105.0)] {
@@ -904,6 +904,14 @@ fn calls_cost_what_they_may() {
                 println!("{model} {precision}: {batch} {of_loop:.4} of a loop");
                 assert!(of_loop <= share, "{model} {precision}: {batch} {of_loop}");
             }
+        }
+        // half-spaces and bristles
+        for (layer, clean, most) in
+            [("layer", "evaluate", 6000.0), ("layer_derivatives", "derivatives", 20_000.0)]
+        {
+            let more = count("TOTAL", precision, layer) - count("TOTAL", precision, clean);
+            println!("TOTAL {precision}: {layer} takes {more} instructions more");
+            assert!(more <= most, "{precision}: {layer} {more}");
         }
         let prepared = count("LINEAR", precision, "prepared");
         println!("LINEAR {precision}: a prepared contact {prepared} instructions");
