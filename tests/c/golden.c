@@ -24,8 +24,8 @@ enum { CONTACTS = 100000 };
 enum { FIRST = 1000, BLOCK = 1000, BLOCKS = CONTACTS / BLOCK };
 
 /* Each has its own hash. */
-enum { SOLVES, PATCHES, FRICTION, SPECIAL, RIG, KINDS };
-static const char *const kinds[KINDS] = {"", " patches", " friction", " special", " rig"};
+enum { SOLVES, PATCHES, FRICTION, SPECIAL, RIG, LAYER, KINDS };
+static const char *const kinds[KINDS] = {"", " patches", " friction", " special", " rig", " layer"};
 
 static uint64_t mixed(uint64_t hash, uint64_t bits)
 {

@@ -311,6 +311,86 @@ static void NAME(rig)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
     }
 }
 
+/* Forces and all derivatives, those by the layer and the slide factor too. */
+static void NAME(behind)(uint64_t *hash, kstrip_status status, const NAME(kstrip_result) *r,
+                         const NAME(kstrip_derivatives) *d, const NAME(kstrip_law_derivatives) *law, REAL friction)
+{
+    NAME(add_derivatives)(hash, status, r, d, law);
+    if (status >= 0) {
+        NAME(add_all)(hash, law->slide_factor, 3);
+        NAME(add_all)(hash, law->layer, 3);
+        NAME(add)(hash, friction);
+    }
+}
+
+/* A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls. The law is fitted to its own forces. */
+static void NAME(layer)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+                        const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
+                        const kstrip_options *o)
+{
+    const uint32_t kind = i / 5 % 3;
+    NAME(kstrip_strip) strips[KSTRIP_STRIPS_CAPACITY];
+    NAME(kstrip_measured_force) points[6];
+    NAME(kstrip_friction_fit) fit;
+    NAME(kstrip_friction) law;
+    NAME(kstrip_result) r;
+    NAME(kstrip_derivatives) d;
+    NAME(kstrip_law_derivatives) by_law;
+    NAME(kstrip_outputs) all;
+    REAL found = 0;
+    kstrip_status status;
+    uint32_t count = 0, n;
+    law.friction = NAME(part)(5 + draw(i, 50, 60), 100);
+    law.ratio = NAME(part)(1 + draw(i, 51, 9), 10);
+    law.decay = NAME(part)(draw(i, 52, 10), 10);
+    law.rolling_speed = kind == 0 ? NAME(part)(1 + draw(i, 53, 40), 1) : 0;
+    law.slope_factor = NAME(part)(1 + draw(i, 54, 10), 10);
+    law.slide_factor = kind == 1 ? 0 : NAME(part)(1 + draw(i, 55, 10), 10);
+    law.layer = kind == 2 ? 0 : NAME(part)(1 + draw(i, 56, 40), 4e14);
+    memset(&all, 0, sizeof all);
+    all.result = &r, all.friction = &found, all.derivatives = &d, all.law_derivatives = &by_law;
+    status = NAME(kstrip_evaluate)(c, k, &law, o, &all);
+    NAME(behind)(hash, status, &r, &d, &by_law, found);
+    memset(&all, 0, sizeof all);
+    all.strips = strips, all.capacity = KSTRIP_STRIPS_CAPACITY, all.count = &count;
+    status = NAME(kstrip_evaluate)(c, k, &law, o, &all);
+    *hash = mixed(*hash, status < 0 ? (uint32_t)status : count);
+    for (n = 0; status >= 0 && n < count; n++) {
+        const NAME(kstrip_strip) s = strips[n];
+        const REAL numbers[8] = {s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power};
+        NAME(add_all)(hash, numbers, 8);
+    }
+    memset(&all, 0, sizeof all);
+    all.result = &r, all.friction = &found;
+    if (patch) {
+        all.derivatives = &d, all.law_derivatives = &by_law;
+        status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
+        NAME(behind)(hash, status, &r, &d, &by_law, found);
+        all.derivatives = NULL, all.law_derivatives = NULL;
+    }
+    for (n = 0, count = 0; n < 6; n++) {
+        const REAL share = NAME(part)((n + 1) * (n + 1), 16);
+        const NAME(kstrip_creepage) motion = {k->longitudinal * share, k->lateral * share, k->spin};
+        NAME(kstrip_measured_force) *point = &points[count];
+        if (NAME(kstrip_evaluate)(c, &motion, &law, o, &all) < 0)
+            continue;
+        memset(point, 0, sizeof *point);
+        point->longitudinal = motion.longitudinal, point->lateral = motion.lateral, point->spin = motion.spin;
+        point->fx = r.fx, point->fy = r.fy, point->weight = 1;
+        point->measured = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
+        count++;
+    }
+    law.friction = 0, law.slope_factor = 0;
+    status = NAME(kstrip_fit_friction)(c, points, count, &law, KSTRIP_FIT_FRICTION | KSTRIP_FIT_SLOPE_FACTOR, o, &fit, NULL);
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        const REAL numbers[5] = {fit.law.friction, fit.law.slope_factor, fit.standard_errors.friction,
+                                 fit.standard_errors.slope_factor, fit.residual};
+        NAME(add_all)(hash, numbers, 5);
+        *hash = mixed(*hash, fit.steps);
+    }
+}
+
 static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side)
 {
     kstrip_contact d;
@@ -340,6 +420,7 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side
             NAME(falling)(&hashes[FRICTION], i, &c, built ? &p : NULL, &k, &o);
             NAME(special)(&hashes[SPECIAL], &c, &k, &o);
             NAME(rig)(&hashes[RIG], i, &c, &k, &o, &r);
+            NAME(layer)(&hashes[LAYER], i, &c, built ? &p : NULL, &k, &o);
         }
     }
 }

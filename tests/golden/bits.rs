@@ -4,7 +4,8 @@
 //! simulated Cortex-M4 and Cortex-M7.
 //!
 //! Every precision has a hash for each of: solves, derivatives and points of the field; patches;
-//! falling friction; special motions and strips; the inverse functions of test rigs.
+//! falling friction; special motions and strips; the inverse functions of test rigs; layers, and
+//! laws that are fitted.
 //!
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate
 //! change.
@@ -18,14 +19,15 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::field::FieldPoint;
 use kstrip::forces::{self, Field, Model, Options, Solution, StripResult};
-use kstrip::friction::SlipFriction;
 use kstrip::friction::derivatives::{Differentiated, differentiate_with_law};
+use kstrip::friction::{self, SlipFriction};
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Profile, ProfileContact};
 use kstrip::patch::field::PatchField;
 use kstrip::patch::friction as patch_friction;
 use kstrip::patch::solver;
 use kstrip::patch::{Patch, PatchStrip};
+use kstrip::rig::fit::{MeasuredForce, fit_friction};
 use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::status::{Error, Warning};
 use toolchain::{root, run_c_with};
@@ -33,7 +35,7 @@ use toolchain::{root, run_c_with};
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;
 /// What has a hash of its own.
-const KINDS: [&str; 5] = ["", " patches", " friction", " special", " rig"];
+const KINDS: [&str; 6] = ["", " patches", " friction", " special", " rig", " layer"];
 
 pub trait Bits: Float + Default {
     fn bits(self) -> u64;
@@ -185,7 +187,7 @@ impl<F: Bits> Case<'_, F> {
 
     fn hash(&self, hashes: &mut [Hash; KINDS.len()]) {
         let Self { i, contact, creepage, options } = *self;
-        let [solves, patches, friction, special, rig] = hashes;
+        let [solves, patches, friction, special, rig, layer] = hashes;
         let r = forces::forces_of_contact(contact, creepage, options);
         solves.result(r);
         if has_field(i) {
@@ -199,6 +201,7 @@ impl<F: Bits> Case<'_, F> {
             self.falling(friction, patch.as_ref());
             self.special(special);
             self.rig(rig, &r.expect("ordinary inputs"));
+            self.layer(layer, patch.as_ref());
         }
     }
 
@@ -373,6 +376,74 @@ impl<F: Bits> Case<'_, F> {
         let found = creepage_for_force(contact, [fx, fy], creepage.spin, options);
         if let Some(motion) = hash.status(found) {
             hash.add(&[motion.longitudinal, motion.lateral, motion.spin]);
+        }
+    }
+
+    /// A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls.
+    /// The law is fitted to its own forces.
+    fn layer(&self, hash: &mut Hash, patch: Option<&Full<F>>) {
+        let Self { i, contact, creepage, options } = *self;
+        let (kind, zero) = (i / 5 % 3, F::zero());
+        let mut law = SlipFriction {
+            rolling_speed: if kind == 0 { part(1 + self.draw(53, 40), 1.0) } else { zero },
+            slope_factor: part(1 + self.draw(54, 10), 10.0),
+            slide_factor: if kind == 1 { zero } else { part(1 + self.draw(55, 10), 10.0) },
+            layer: if kind == 2 { zero } else { part(1 + self.draw(56, 40), 4e14) },
+            ..SlipFriction::of_constant(part(5 + self.draw(50, 60), 100.0))
+        };
+        (law.ratio, law.decay) = (part(1 + self.draw(51, 9), 10.0), part(self.draw(52, 10), 10.0));
+        self.behind(hash, differentiate_with_law(contact, creepage, Some(&law), options));
+        let mut strips = Vec::new();
+        let found = friction::contact_with_law(contact, creepage, &law, options).and_then(|(contact, _)| {
+            friction::strips_with_law(&contact, creepage, Some(&law), options, &mut |s| strips.push(s))
+        });
+        let count = strips.len();
+        hash.code(found.map_or_else(Error::code, |_| count as i32));
+        for s in &strips {
+            hash.add(&[s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power]);
+        }
+        if let Some(view) = patch.and_then(|patch| patch.view().ok()) {
+            let found = patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
+            self.behind(hash, found);
+        }
+        let points: Vec<_> = (1..=6)
+            .filter_map(|n| {
+                let share = part::<F>(n * n, 16.0);
+                let Creepage { longitudinal, lateral, spin } = *creepage;
+                let motion =
+                    Creepage { longitudinal: longitudinal * share, lateral: lateral * share, spin };
+                let found = friction::solve_with_law(contact, &motion, &law, options).ok()?.solution;
+                Some(MeasuredForce {
+                    longitudinal: motion.longitudinal,
+                    lateral: motion.lateral,
+                    spin,
+                    fx: found.fx,
+                    fy: found.fy,
+                    weight: F::one(),
+                    measured: 3,
+                    reserved: 0,
+                })
+            })
+            .collect();
+        let start = SlipFriction { friction: zero, slope_factor: zero, ..law };
+        let fitted = [true, false, false, true, false, false];
+        let found = fit_friction(contact, &points, &start, fitted, options);
+        let found = found.map(|found| (found, found.warning)).map_err(|(_, error)| error);
+        if let Some(found) = hash.status(found) {
+            let (law, errors) = (found.law, found.standard_errors);
+            hash.add(&[law.friction, law.slope_factor, errors.friction, errors.slope_factor]);
+            hash.add(&[found.residual]);
+            hash.mix(u64::from(found.steps));
+        }
+    }
+
+    /// Forces and all derivatives, those by the layer and the slide factor too.
+    fn behind(&self, hash: &mut Hash, found: Result<Differentiated<F>, Error>) {
+        hash.derivatives(&found);
+        if let Ok(found) = found {
+            hash.add(&found.law.slide_factor);
+            hash.add(&found.law.layer);
+            hash.add(&[found.friction]);
         }
     }
 }
