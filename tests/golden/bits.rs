@@ -394,16 +394,21 @@ impl<F: Bits> Case<'_, F> {
         (law.ratio, law.decay) = (part(1 + self.draw(51, 9), 10.0), part(self.draw(52, 10), 10.0));
         self.behind(hash, differentiate_with_law(contact, creepage, Some(&law), options));
         let mut strips = Vec::new();
-        let found = friction::contact_with_law(contact, creepage, &law, options).and_then(|(contact, _)| {
-            friction::strips_with_law(&contact, creepage, Some(&law), options, &mut |s| strips.push(s))
-        });
+        let found = friction::contact_with_law(contact, creepage, &law, options).and_then(
+            |(contact, _)| {
+                friction::strips_with_law(&contact, creepage, Some(&law), options, &mut |s| {
+                    strips.push(s)
+                })
+            },
+        );
         let count = strips.len();
         hash.code(found.map_or_else(Error::code, |_| count as i32));
         for s in &strips {
             hash.add(&[s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power]);
         }
         if let Some(view) = patch.and_then(|patch| patch.view().ok()) {
-            let found = patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
+            let found =
+                patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
             self.behind(hash, found);
         }
         let points: Vec<_> = (1..=6)
@@ -412,7 +417,8 @@ impl<F: Bits> Case<'_, F> {
                 let Creepage { longitudinal, lateral, spin } = *creepage;
                 let motion =
                     Creepage { longitudinal: longitudinal * share, lateral: lateral * share, spin };
-                let found = friction::solve_with_law(contact, &motion, &law, options).ok()?.solution;
+                let found =
+                    friction::solve_with_law(contact, &motion, &law, options).ok()?.solution;
                 Some(MeasuredForce {
                     longitudinal: motion.longitudinal,
                     lateral: motion.lateral,
