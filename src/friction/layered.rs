@@ -17,7 +17,7 @@ use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
 use crate::forces::warning::warning_of;
 use crate::forces::{self, StripResult};
 use crate::friction::law::SlipFriction;
-use crate::layer::{Interface, Layer};
+use crate::layer::{Interface, Layer, Split};
 use crate::number::dual::Dual;
 use crate::number::{Float, Number, Real, add, are_finite};
 use crate::status::{Error, Warning};
@@ -356,19 +356,9 @@ impl<F: Float> ThroughLayer<'_, F> {
         if contact.is_lost() {
             return Ok(Warning::None);
         }
+        let (layer, split, seen, has_bristles) = self.split_of(contact);
+        let creepage = split.half_spaces(&seen);
         let frame = &ScaledContact::new(contact);
-        let (seen, _) = frame.seen(self.creepage, self.options.model);
-        let parameters = frame.units.parameters(&seen);
-        let (ratio, _, linear) = frame.shape();
-        let layer = Layer::new(ratio, &linear);
-        let interface = self.interface(contact);
-        let split = layer.split(frame.units.normalised(&parameters), &interface);
-        let [x, y, z] = split.factors;
-        let creepage = Creepage {
-            longitudinal: seen.longitudinal * x,
-            lateral: seen.lateral * y,
-            spin: seen.spin * z,
-        };
         let like = Contact { mismatch: F::zero(), ..*contact };
         // bristles of a strip divided by μ N, and the share of the load
         let bristles = |strip: &StripResult<F>| {
@@ -376,7 +366,6 @@ impl<F: Float> ThroughLayer<'_, F> {
             let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
             (layer.strip(split.rates, y, strip.half_length / contact.a), load)
         };
-        let has_bristles = interface.layer > F::zero();
         let weight = if has_bristles { split.weight } else { F::zero() };
         let whole = if has_bristles { layer.bristles(split.rates) } else { Totals::nothing() };
         // what the quadratures differ by is shared out by load
@@ -407,7 +396,20 @@ impl<F: Float> ThroughLayer<'_, F> {
             mean.power = seen.power([mean.fx, mean.fy, mean.mz]);
             visit(mean);
         })?;
-        let psi = parameters.psi;
+        let psi = frame.units.parameters(&seen).psi;
         Ok(warning.worse(warning_of(contact, &seen, self.options.model, psi)))
+    }
+
+    /// The layer of a contact that carries, the creepages of half-spaces and bristles and of both
+    /// together, and whether there are bristles.
+    pub fn split_of(&self, contact: &Contact<F>) -> (Layer<F>, Split<F>, Creepage<F>, bool) {
+        let frame = &ScaledContact::new(contact);
+        let (seen, _) = frame.seen(self.creepage, self.options.model);
+        let parameters = frame.units.parameters(&seen);
+        let (ratio, _, linear) = frame.shape();
+        let layer = Layer::new(ratio, &linear);
+        let interface = self.interface(contact);
+        let split = layer.split(frame.units.normalised(&parameters), &interface);
+        (layer, split, seen, interface.layer > F::zero())
     }
 }

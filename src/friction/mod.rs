@@ -30,6 +30,7 @@
 
 mod agreement;
 pub mod derivatives;
+pub mod field;
 mod law;
 pub(crate) mod layered;
 

@@ -25,7 +25,7 @@
 //! cos α`, in which the bound is smooth, both by Simpson's rule. A bristle sticks again where the
 //! tractions on its way keep the bound by themselves.
 
-use crate::number::Arithmetic;
+use crate::number::{Arithmetic, Float};
 
 /// Steps along a strip.
 const STEPS: usize = 5;
@@ -78,6 +78,15 @@ pub(crate) struct Bristles<T> {
     pub mx: T,
     /// Share of the length in adhesion.
     pub stick: T,
+}
+
+/// One bristle: its traction over the largest bound, its slip in units of the [`Rates`], and whether
+/// it slides.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BristleState<F> {
+    pub traction: [F; 2],
+    pub slip: [F; 2],
+    pub slides: bool,
 }
 
 /// A place on the way that follows from that where sliding begins.
@@ -290,6 +299,27 @@ impl<T: Arithmetic> Rates<T> {
             T::composed(x, [kept - ex * ex * per, mixed, x * widens], [e[0], e[1], way]),
             T::composed(y, [mixed, kept - ey * ey * per, y * widens], [e[0], e[1], way]),
         ]
+    }
+}
+
+impl<F: Float> Rates<F> {
+    /// The traction at `x`, from the [`ROWS`], and whether the bristle sticks there.
+    pub fn traction(&self, rows: impl Iterator<Item = [F; 9]>, x: F) -> ([F; 2], bool) {
+        let (zero, one) = (F::zero(), F::one());
+        let mut carried = Bristles { fx: zero, fy: zero, mx: zero, stick: zero };
+        let (mut t, mut inside) = ([zero; 2], F::of(-2.0));
+        for [u, from, end, ..] in rows {
+            let end = end.max(x);
+            let (way, over) = ((one - end).max(F::of(SMALL)), one + end);
+            let bound = (way * over).max(zero).sqrt();
+            let least = bound.max(F::of(LEAST));
+            let row = [u, from, end, from - end, one / way, over, bound, least, one / least];
+            (t, inside) = self.step(row, t, inside, &mut carried);
+            if end <= x {
+                break;
+            }
+        }
+        (t, inside < zero)
     }
 }
 

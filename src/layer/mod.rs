@@ -32,13 +32,14 @@
 
 pub(crate) mod bristles;
 
-use self::bristles::{Bristles, ROWS, Rates};
+use self::bristles::{BristleState, Bristles, ROWS, Rates};
+use crate::contact::creepage::Creepage;
 use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
 use crate::number::tables::table;
-use crate::number::{Arithmetic, Number, Real, Strips, add, scaled_down};
+use crate::number::{Arithmetic, Float, Number, Real, Strips, add, scaled_down};
 
 /// Linear force divided by `μ N` half way from the factors of rest to the one of full sliding.
 const HALF_WAY: f64 = 8.0;
@@ -109,8 +110,19 @@ pub(crate) struct Split<T> {
     pub factors: [T; 3],
     /// Rates of the bristles: of `υx`, of `υy`, of spin at the half length `a`.
     pub rates: [T; 3],
+    /// Rates over the creepages `vx, vy, φ`.
+    pub bend: [T; 3],
     /// Weight of the bristles.
     pub weight: T,
+}
+
+impl<T: Number> Split<T> {
+    /// The creepages of the half-spaces.
+    pub fn half_spaces(&self, creepage: &Creepage<T>) -> Creepage<T> {
+        let [x, y, z] = self.factors;
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        Creepage { longitudinal: longitudinal * x, lateral: lateral * y, spin: spin * z }
+    }
 }
 
 impl<F: Real> Layer<F> {
@@ -171,11 +183,12 @@ impl<F: Real> Layer<F> {
         let factors = T::each(&[k1, k2, ks], |k| slide * (*k + (k1 - *k) * fade));
         let [[x, y, z], [far_x, far_y, far_z]] = self.rates;
         let (bent, slid) = ([k1.scale(x), k2.scale(y), ks.scale(z)], [far_x, far_y, far_z]);
-        let mut rates = [vx, vy, phi];
-        for ((rate, bent), slid) in rates.iter_mut().zip(bent).zip(slid) {
-            *rate = *rate * (slide * (bent + (k1.scale(slid) - bent) * fade));
+        let (mut rates, mut bend) = ([vx, vy, phi], bent);
+        for ((rate, bend), slid) in rates.iter_mut().zip(&mut bend).zip(slid) {
+            *bend = slide * (*bend + (k1.scale(slid) - *bend) * fade);
+            *rate = *rate * *bend;
         }
-        Split { factors, rates, weight: one - k1 }
+        Split { factors, rates, bend, weight: one - k1 }
     }
 
     /// Forces of the bristles divided by `μ N`, and their moment divided by `μ N √(ab)`.
@@ -197,12 +210,17 @@ impl<F: Real> Layer<F> {
         Totals { fx: fx * kept, fy: fy * kept, mz: mz * kept, stick }
     }
 
+    /// Rates of the bristles of the strip at `Y` of half length `C`.
+    pub fn rates_at(&self, [x, y, spin]: [F; 3], place: F, c: F) -> Rates<F> {
+        let upright = F::one() / self.root;
+        Rates { x: x - spin * (place * upright * upright), y, spin: spin * c }
+    }
+
     /// Forces of the bristles of the strip at `Y` of half length `C`, its moment and its share in
     /// adhesion, each over its share of `μ N`.
-    pub fn strip(&self, [x, y, spin]: [F; 3], place: F, c: F) -> [F; 4] {
+    pub fn strip(&self, rates: [F; 3], place: F, c: F) -> [F; 4] {
         let upright = F::one() / self.root;
-        let rates = Rates { x: x - spin * (place * upright * upright), y, spin: spin * c };
-        let Bristles { fx, fy, mx, stick } = rates.of_strip();
+        let Bristles { fx, fy, mx, stick } = self.rates_at(rates, place, c).of_strip();
         [fx, fy, mx * (c * self.root) - fx * (place * upright), stick]
     }
 
@@ -273,14 +291,37 @@ impl<F: Real> Layer<F> {
 }
 
 impl<T: Number> Rates<T> {
-    /// Forces of one strip, for rates of any size.
-    pub fn of_strip(&self) -> Bristles<T> {
+    /// Rates of any size, scaled down together where all slides.
+    fn within_limit(&self) -> Self {
         let limit = T::Base::of(largest_rate::<T>());
         let [x, y, spin] = scaled_down([self.x, self.y, self.spin], limit);
+        Self { x, y, spin }
+    }
+
+    /// Forces of one strip, for rates of any size.
+    pub fn of_strip(&self) -> Bristles<T> {
         let rows =
             table!(T::Base, ROWS).iter().map(|row| row.each_ref().map(|x| T::Base::stored(*x)));
-        let Bristles { fx, fy, mx, stick } = Rates { x, y, spin }.forces_of_strip(rows);
+        let Bristles { fx, fy, mx, stick } = self.within_limit().forces_of_strip(rows);
         let kept = (fx.squared() + fy.squared()).max(T::one()).sqrt().inverse();
         Bristles { fx: fx * kept, fy: fy * kept, mx: mx * kept, stick }
+    }
+}
+
+impl<F: Float> Rates<F> {
+    /// The state of the bristle at `x`.
+    pub fn at(&self, x: F) -> BristleState<F> {
+        let place = x.clamped(-F::one(), F::one());
+        let rows = table!(F, ROWS).iter().map(|row| row.each_ref().map(|x| F::stored(*x)));
+        let (traction, sticks) = self.within_limit().traction(rows, place);
+        let [tx, ty] = traction;
+        let size = (tx * tx + ty * ty).sqrt();
+        if sticks || size <= F::zero() {
+            return BristleState { traction, slip: [F::zero(); 2], slides: false };
+        }
+        // n (s·n − dg/du)
+        let (nx, ny) = (tx / size, ty / size);
+        let slip = (self.x * nx + (self.y + self.spin * place) * ny - place / size).max(F::zero());
+        BristleState { traction, slip: [nx * slip, ny * slip], slides: slip > F::zero() }
     }
 }

@@ -141,9 +141,7 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
 
     /// The creepage of the half-spaces.
     pub fn half_spaces(&self, seen: &Creepage<T>) -> Creepage<T> {
-        let [x, y, z] = self.split.factors;
-        let Creepage { longitudinal, lateral, spin } = *seen;
-        Creepage { longitudinal: longitudinal * x, lateral: lateral * y, spin: spin * z }
+        self.split.half_spaces(seen)
     }
 
     /// The mean of the forces of a strip of half-spaces and those of its bristles.
