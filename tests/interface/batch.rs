@@ -349,7 +349,8 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     );
 }
 
-/// Contacts of all kinds with derivatives, every second time under falling friction: bits and
+/// Contacts of all kinds with derivatives, every second time under falling friction, every fourth
+/// time behind a layer that sliding softens too: bits and
 /// statuses of kstrip_evaluate(), and nothing is written where one has an error, also one that only
 /// its derivatives tell.
 macro_rules! derivatives_in_any_company {
@@ -383,7 +384,9 @@ macro_rules! derivatives_in_any_company {
                         problem(any_kind(&mut random, kind).map(|x| x as $float))
                     })
                     .collect();
-                let law = (round % 2 == 1).then_some(&law);
+                let soft =
+                    kstrip::friction::SlipFriction { slide_factor: 0.4, layer: 3e-14, ..law };
+                let law = (round % 2 == 1).then_some(if round % 4 == 1 { &law } else { &soft });
                 let single = |k: usize| {
                     let mut found = untouched;
                     let outputs =

@@ -1,6 +1,7 @@
 //! A layer between the bodies, and what sliding leaves of its stiffness.
 
-use crate::differences::trusted_differences;
+use crate::differences::Comparison;
+use crate::patches::{irregular, motion};
 use crate::random::Random;
 use crate::theory;
 
@@ -9,6 +10,7 @@ use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{Model, Options, Solution};
 use kstrip::friction::derivatives::differentiate_with_law;
+use kstrip::friction::field::LawField;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::linear::LinearCoefficients;
 use kstrip::patch::Patch;
@@ -360,7 +362,6 @@ fn derivatives_behind_a_layer_are_exact() {
         }
     }
     assert!(compared > 12_000, "{compared}");
-    let _ = trusted_differences;
 }
 
 /// The strips of an ellipse as a patch answer as the ellipse does.
@@ -383,4 +384,196 @@ fn a_patch_behind_a_layer_is_the_ellipse() {
         let off = (found.fx - whole.fx).hypot(found.fy - whole.fy) / bound;
         assert!(off < 0.02, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
     }
+}
+
+/// Forces and moment, divided by the bound.
+fn relative(c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options) -> [f64; 3] {
+    let bound = law.friction * c.normal_force;
+    let found = forces(c, m, law, o);
+    [found.fx / bound, found.fy / bound, found.mz / bound / (c.a * c.b).sqrt()]
+}
+
+fn apart(p: [f64; 3], q: [f64; 3]) -> f64 {
+    p.into_iter().zip(q).map(|(p, q)| (p - q).abs()).fold(0.0, f64::max)
+}
+
+/// On straight ways between two laws and motions, halved forty times into the half that changes
+/// more, nothing is left of a change; of a jump all would be.
+#[test]
+fn forces_are_continuous_behind_a_layer() {
+    let mut random = Random::new(306);
+    for n in 0..600 {
+        let c = any_contact(&mut random);
+        let o = options([Model::Total, Model::Strip][n % 2]);
+        let (from, start) = (any_motion(&mut random, &c), any_law(&mut random, &c, n % 3 == 0));
+        let (to, end) = (any_motion(&mut random, &c), any_law(&mut random, &c, false));
+        // (from clean bodies, from a law without slide factor, or from any law)
+        let start = match n / 2 % 3 {
+            0 => SlipFriction { layer: 0.0, ..start },
+            1 => SlipFriction { slide_factor: 1.0, layer: 0.0, ..start },
+            _ => start,
+        };
+        let end = SlipFriction { ratio: start.ratio, decay: start.decay, ..end };
+        let at = |t: f64| {
+            let mean = |p: f64, q: f64| p + (q - p) * t;
+            let m = Creepage {
+                longitudinal: mean(from.longitudinal, to.longitudinal),
+                lateral: mean(from.lateral, to.lateral),
+                spin: mean(from.spin, to.spin),
+            };
+            let law = SlipFriction {
+                friction: mean(start.friction, end.friction),
+                rolling_speed: start.rolling_speed,
+                slope_factor: mean(start.slope_factor, end.slope_factor),
+                slide_factor: mean(start.slide_factor, end.slide_factor),
+                layer: mean(start.layer, end.layer),
+                ..start
+            };
+            // (friction that has several solutions jumps between them)
+            law.falls_mildly(&c, &m).then(|| relative(&c, &m, &law, &o))
+        };
+        let (mut low, mut high) = (0.0, 1.0);
+        let (Some(mut at_low), Some(mut at_high)) = (at(low), at(high)) else { continue };
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            let Some(value) = at(middle) else { break };
+            if apart(at_low, value) > apart(value, at_high) {
+                (high, at_high) = (middle, value);
+            } else {
+                (low, at_low) = (middle, value);
+            }
+        }
+        let left = apart(at_low, at_high);
+        assert!(left < 1e-9, "{o:?} {left} at {low} of {start:?} {end:?} {c:?} {from:?} {to:?}");
+    }
+}
+
+/// Without a layer, and with a slide factor of 1, the clean contact: the least layer changes nothing
+/// that could be measured.
+#[test]
+fn a_thin_layer_is_none() {
+    let mut random = Random::new(307);
+    for n in 0..400 {
+        let c = any_contact(&mut random);
+        let o = options(Model::ALL[n % 5]);
+        let m = any_motion(&mut random, &c);
+        let clean = law(c.friction, 0.0, 0.0);
+        let expected = relative(&c, &m, &clean, &o);
+        for thin in
+            [law(c.friction, 1.0, 0.0), law(c.friction, 1.0, 1e-300), law(c.friction, 0.0, 1e-24)]
+        {
+            let off = apart(relative(&c, &m, &thin, &o), expected);
+            let size = 1.0 + expected[0].abs() + expected[1].abs() + expected[2].abs();
+            // (where the forces of 1967 jump a rounding decides)
+            let allowed = if o.model.is_of_1967() { 1e-2 } else { 1e-8 };
+            assert!(off < allowed * size, "{o:?} {off} {thin:?} {c:?} {m:?}");
+        }
+    }
+}
+
+/// Non-elliptic patches: all derivatives by the creepages, by layer, slide factor and slope factor.
+#[test]
+fn derivatives_of_patches_behind_a_layer_are_exact() {
+    let mut random = Random::new(308);
+    let (mut comparison, mut compared) = (Comparison::default(), 0);
+    for n in 0..120 {
+        let (patch, m) = (irregular(&mut random), motion(&mut random));
+        let view = patch.view().unwrap();
+        let model = [Model::Strip, Model::Total, Model::Strip1967Continuous][n % 3];
+        let law = SlipFriction {
+            friction: f64::NAN,
+            ratio: random.between(0.3, 1.0),
+            decay: random.log_between(0.05, 0.5),
+            rolling_speed: random.between(1.0, 30.0),
+            slope_factor: random.between(0.2, 0.9),
+            slide_factor: random.between(0.2, 0.9),
+            layer: 6e-14 * random.log_between(0.05, 10.0),
+        };
+        let values = |m: &Creepage<f64>, law: &SlipFriction<f64>| {
+            let found =
+                patch_friction::solve_patch_with_law(&view, m, law, model).unwrap().solution;
+            [found.fx, found.fy, found.mz]
+        };
+        let found = patch_friction::differentiate_patch(&view, &m, Some(&law), model).unwrap();
+        let unit = view.friction_bound();
+        let jacobian = found.derivatives.jacobian;
+        comparison.add(|i, j| jacobian[i][j], &m, unit, |m| values(m, &law), &(model, law));
+        let with = |k: usize, f: f64| match k {
+            0 => SlipFriction { layer: law.layer * f, ..law },
+            1 => SlipFriction { slide_factor: law.slide_factor * f, ..law },
+            _ => SlipFriction { slope_factor: law.slope_factor * f, ..law },
+        };
+        let by = found.law;
+        for (k, (size, slopes)) in [
+            (law.layer, by.layer),
+            (law.slide_factor, by.slide_factor),
+            (law.slope_factor, by.slope_factor),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            for (i, unit) in [unit, unit, unit * 4e-3].into_iter().enumerate() {
+                let difference = |h: f64| {
+                    let [ahead, behind] = [1.0 + h, 1.0 - h].map(|f| values(&m, &with(k, f))[i]);
+                    (ahead - behind) / (2.0 * h * unit)
+                };
+                let (coarse, fine) = (difference(1e-4), difference(1e-5));
+                if (coarse - fine).abs() < 1e-6 {
+                    let error = (slopes[i] * size / unit - fine).abs();
+                    assert!(error < 3e-6, "{model:?} {k} {i} {error} {fine} {law:?} {m:?}");
+                    compared += 1;
+                }
+            }
+        }
+    }
+    println!("{} and {compared} compared, worst {:e}", comparison.compared, comparison.worst);
+    assert!(comparison.compared > 300 && compared > 900, "{} {compared}", comparison.compared);
+}
+
+/// Tractions of the field behind a layer add up to the forces, traction times slip to the power that
+/// friction takes; the bound is kept, and no slip drives.
+#[test]
+fn fields_behind_a_layer_add_up_to_the_forces() {
+    let mut random = Random::new(309);
+    let (mut worst, mut worst_power) = (0.0_f64, 0.0_f64);
+    for n in 0..60 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, n % 3 == 0);
+        let law = if n % 4 == 3 { SlipFriction { layer: 0.0, ..law } } else { law };
+        let m = any_motion(&mut random, &c);
+        let o = options([Model::Strip, Model::Strip1967Continuous][n % 2]);
+        let o = Options { strips: StripCount::SixtyFour, ..o };
+        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
+        let field = LawField::new(&c, &m, Some(&law), &o).unwrap();
+        const PLACES: i32 = 200;
+        let angle = |i: i32| (f64::from(i) + 0.5) / f64::from(PLACES) * std::f64::consts::PI;
+        let (mut sums, mut power) = ([0.0; 2], 0.0);
+        for j in 0..PLACES {
+            let (half_length, y) = (c.a * angle(j).sin(), c.b * angle(j).cos());
+            let strip = field.strip_at(y);
+            for i in 0..PLACES {
+                let point = field.along(&strip, half_length * angle(i).cos());
+                let area = half_length
+                    * angle(i).sin()
+                    * c.b
+                    * angle(j).sin()
+                    * (std::f64::consts::PI / f64::from(PLACES)).powi(2);
+                sums[0] += point.traction_x * area;
+                sums[1] += point.traction_y * area;
+                power += point.dissipation * area;
+                let bound = found.friction * point.pressure;
+                let traction = point.traction_x.hypot(point.traction_y);
+                assert!(traction <= bound * (1.0 + 1e-6), "{traction} {bound}");
+            }
+        }
+        let bound = found.friction * c.normal_force;
+        let off = (sums[0] - found.solution.fx).hypot(sums[1] - found.solution.fy) / bound;
+        worst = worst.max(off);
+        let rigid = m.longitudinal.hypot(m.lateral) + (c.a * c.b).sqrt() * m.spin.abs();
+        let lost = (power - found.solution.power).abs() / (bound * rigid);
+        worst_power = worst_power.max(lost);
+        assert!(off < 0.02, "{o:?} {off} {sums:?} {found:?} {law:?} {c:?} {m:?}");
+    }
+    println!("forces {worst:.4}, power {worst_power:.4}");
+    assert!(worst_power < 0.1, "{worst_power}");
 }

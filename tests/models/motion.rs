@@ -23,7 +23,9 @@ const WET: SlipFriction<f64> = SlipFriction {
     slide_factor: 0.0,
     layer: 0.0,
 };
-const LAWS: [Option<SlipFriction<f64>>; 2] = [None, Some(WET)];
+/// Behind a layer that sliding softens.
+const SOFT: SlipFriction<f64> = SlipFriction { decay: 0.0, slide_factor: 0.5, layer: 3e-14, ..WET };
+const LAWS: [Option<SlipFriction<f64>>; 3] = [None, Some(WET), Some(SOFT)];
 
 fn options(model: Model) -> Options {
     Options { model, strips: StripCount::Sixteen }
@@ -100,7 +102,7 @@ fn mirrors_are_exact() {
         let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
-        let law = LAWS[n / 5 % 2];
+        let law = LAWS[n / 5 % 3];
         let (found, mu, slopes) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
         let (plain, plain_mu) = solve_motion(&c, &m, law.as_ref(), &o).unwrap();
         assert!((plain.fx - found.fx).abs() <= 1e-12 * c.friction_bound());
@@ -149,7 +151,7 @@ fn mirrors_are_exact() {
     }
 }
 
-/// All derivatives as one list of thirty numbers, each over a size that it does not exceed by much.
+/// All derivatives as one list of numbers, each over a size that it does not exceed by much.
 fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) -> Vec<f64> {
     let radius = (c.a * c.b).sqrt();
     let speed = m.rolling_speed.hypot(FLOOR);
@@ -169,6 +171,8 @@ fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) ->
         list.push(slopes.ratio[i] / (row * bound));
         list.push(slopes.decay[i] / (row * bound));
         list.push(slopes.slope_factor[i] / (row * bound));
+        list.push(slopes.slide_factor[i] / (row * bound));
+        list.push(slopes.layer[i] * c.a / c.shear_modulus / (row * bound));
     }
     list
 }
@@ -180,7 +184,7 @@ fn force_and_derivatives_are_continuous_through_standstill() {
     let mut random = Random::new(203);
     for n in 0..300 {
         let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
-        let law = LAWS[n / 5 % 2];
+        let law = LAWS[n / 5 % 3];
         for at in [0.0, 3.0 * FLOOR, -3.0 * FLOOR] {
             let m = any_motion(&mut random, &c, at);
             let step = 1e-8 * FLOOR;
@@ -214,7 +218,7 @@ fn derivatives_are_those_of_the_forces() {
     let (mut compared, mut doubted, mut worst) = (0, 0, 0.0_f64);
     for n in 0..240 {
         let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
-        let law = LAWS[n / 5 % 2].map(|law| SlipFriction { friction: c.friction, ..law });
+        let law = LAWS[n / 5 % 3].map(|law| SlipFriction { friction: c.friction, ..law });
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let (_, _, s) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
@@ -240,14 +244,16 @@ fn derivatives_are_those_of_the_forces() {
                 },
                 7 => law.iter_mut().for_each(|law| law.ratio += by),
                 8 => law.iter_mut().for_each(|law| law.decay *= factor),
-                _ => law.iter_mut().for_each(|law| law.slope_factor *= factor),
+                9 => law.iter_mut().for_each(|law| law.slope_factor *= factor),
+                10 => law.iter_mut().for_each(|law| law.slide_factor *= factor),
+                _ => law.iter_mut().for_each(|law| law.layer *= factor),
             }
             of(&solve_motion(&c, &m, law.as_ref(), &o).unwrap().0)
         };
         let size = of(&solve_motion(&c, &m, law.as_ref(), &o).unwrap().0);
         let size = size[0].abs() + size[1].abs() + size[2].abs() / radius;
         let units = [size, size, size * radius];
-        for which in 0..if law.is_some() { 10 } else { 7 } {
+        for which in 0..law.map_or(7, |law| if law.layer > 0.0 { 12 } else { 10 }) {
             let by = |h: f64| {
                 let forces = shaken(which, h);
                 std::array::from_fn(|i| forces[i] / units[i])
@@ -265,8 +271,10 @@ fn derivatives_are_those_of_the_forces() {
                     5 => s.load_through_hertz[i] * c.normal_force,
                     6 => s.friction[i] * c.friction,
                     7 => s.ratio[i],
-                    8 => s.decay[i] * WET.decay,
-                    _ => s.slope_factor[i] * WET.slope_factor,
+                    8 => s.decay[i] * law.unwrap_or(WET).decay,
+                    9 => s.slope_factor[i] * WET.slope_factor,
+                    10 => s.slide_factor[i] * SOFT.slide_factor,
+                    _ => s.layer[i] * SOFT.layer,
                 };
                 let error = (slope / units[i] - got[i]).abs();
                 worst = worst.max(error);
@@ -286,7 +294,7 @@ fn friction_opposes_slip_and_keeps_its_bound() {
     for n in 0..4000 {
         let c = any_contact(&mut random);
         let model = [Model::Total, Model::Strip][n % 2];
-        let law = LAWS[n / 2 % 2];
+        let law = LAWS[n / 2 % 3];
         let speed = any_speed(&mut random);
         let mut m = any_motion(&mut random, &c, speed);
         let huge = 10f64.powf(random.between(0.0, 3.0));
@@ -355,7 +363,7 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
         ][n % 4];
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &C0, speed);
-        let law = LAWS[n / 4 % 2];
+        let law = LAWS[n / 4 % 3];
         let (found, _, slopes) = differentiate_motion(&lost, &m, law.as_ref(), &o).unwrap();
         let Solution { power, adhesion, warning, .. } = found;
         assert_eq!((of(&found), power, adhesion, warning), ([0.0; 3], 0.0, 0.0, Warning::None));
