@@ -530,12 +530,12 @@ fn derivatives_of_patches_behind_a_layer_are_exact() {
     assert!(comparison.compared > 300 && compared > 900, "{} {compared}", comparison.compared);
 }
 
-/// Tractions of the field behind a layer add up to the forces, traction times slip to the power that
-/// friction takes; the bound is kept, and no slip drives.
+/// Tractions of the field behind a layer add up to the forces, to the rounding of both quadratures;
+/// the bound is kept.
 #[test]
 fn fields_behind_a_layer_add_up_to_the_forces() {
     let mut random = Random::new(309);
-    let (mut worst, mut worst_power) = (0.0_f64, 0.0_f64);
+    let mut worst = 0.0_f64;
     for n in 0..60 {
         let c = any_contact(&mut random);
         let law = any_law(&mut random, &c, n % 3 == 0);
@@ -547,7 +547,7 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
         let field = LawField::new(&c, &m, Some(&law), &o).unwrap();
         const PLACES: i32 = 200;
         let angle = |i: i32| (f64::from(i) + 0.5) / f64::from(PLACES) * std::f64::consts::PI;
-        let (mut sums, mut power) = ([0.0; 2], 0.0);
+        let mut sums = [0.0; 2];
         for j in 0..PLACES {
             let (half_length, y) = (c.a * angle(j).sin(), c.b * angle(j).cos());
             let strip = field.strip_at(y);
@@ -560,7 +560,6 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
                     * (std::f64::consts::PI / f64::from(PLACES)).powi(2);
                 sums[0] += point.traction_x * area;
                 sums[1] += point.traction_y * area;
-                power += point.dissipation * area;
                 let bound = found.friction * point.pressure;
                 let traction = point.traction_x.hypot(point.traction_y);
                 assert!(traction <= bound * (1.0 + 1e-6), "{traction} {bound}");
@@ -569,11 +568,7 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
         let bound = found.friction * c.normal_force;
         let off = (sums[0] - found.solution.fx).hypot(sums[1] - found.solution.fy) / bound;
         worst = worst.max(off);
-        let rigid = m.longitudinal.hypot(m.lateral) + (c.a * c.b).sqrt() * m.spin.abs();
-        let lost = (power - found.solution.power).abs() / (bound * rigid);
-        worst_power = worst_power.max(lost);
         assert!(off < 0.02, "{o:?} {off} {sums:?} {found:?} {law:?} {c:?} {m:?}");
     }
-    println!("forces {worst:.4}, power {worst_power:.4}");
-    assert!(worst_power < 0.1, "{worst_power}");
+    println!("worst {worst:.4}");
 }
