@@ -372,3 +372,23 @@ fn friction_is_estimated_under_the_law() {
         }
     }
 }
+
+/// The law's friction at every creepage, and what clean bodies would need: far less, without a
+/// warning.
+#[test]
+fn a_slope_factor_is_not_taken_for_low_friction() {
+    let law = SlipFriction { slope_factor: 0.28, ..SlipFriction::of_constant(0.33) };
+    let other = SlipFriction { friction: 0.7, ..law };
+    for (creepage, clean) in [(5e-4, 0.031), (2e-3, 0.113), (5e-3, 0.235), (1.5e-2, 0.330)] {
+        let m = along(creepage);
+        let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
+        let estimate = |law: Option<&SlipFriction<f64>>| {
+            let force = [made.fx, 0.0];
+            estimate_friction_under(&LOCOMOTIVE, &m, law, &total(), Measured::Fx, force).unwrap()
+        };
+        let [under, without] = [estimate(Some(&other)), estimate(None)];
+        assert_eq!((under.warning, without.warning), (Warning::None, Warning::None));
+        assert!((under.friction - 0.33).abs() < 1e-9, "{creepage}: {under:?}");
+        assert!((without.friction - clean).abs() < 6e-4, "{creepage}: {without:?}");
+    }
+}
