@@ -1,6 +1,6 @@
 //! From measured points to a law of friction: a locomotive's creep curve on a wet rail. Prints the
-//! fitted parameters with their standard errors, and the curves as columns: clean bodies, the fitted
-//! law, and what CONTACT computes with an elastic layer and falling friction.
+//! fitted parameters with their standard errors, and the curves as columns: clean bodies, the
+//! fitted law, and what CONTACT computes with an elastic layer and falling friction.
 //!
 //!     cargo run --example measured_curve
 //!
@@ -61,8 +61,8 @@ fn force(longitudinal: f64, law: &SlipFriction<f64>) -> Result<f64, Error> {
     Ok(found.solution.fx / CONTACT.normal_force)
 }
 
-/// All but the layer, which is nearly the same as a slope factor. Zero means a usual start; only the
-/// rolling speed stays.
+/// All but the layer, which is nearly the same as a slope factor. Zero means a usual start; only
+/// the rolling speed stays.
 fn fit(points: &[MeasuredForce<f64>]) -> Result<FrictionFit<f64>, (usize, Error)> {
     let start = SlipFriction { ratio: 0.0, rolling_speed: 10.0, ..SlipFriction::of_constant(0.0) };
     fit_friction(&CONTACT, points, &start, [true, true, true, true, true, false], &model())

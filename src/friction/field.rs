@@ -40,7 +40,7 @@ pub struct LawField<F: Float> {
 struct Behind<F> {
     layer: Layer<F>,
     split: Split<F>,
-    /// Creepage over its rate.
+    /// Creepage divided by its rate.
     units: [F; 2],
     /// Whether there are bristles, or a slide factor only.
     has_bristles: bool,

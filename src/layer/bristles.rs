@@ -80,8 +80,8 @@ pub(crate) struct Bristles<T> {
     pub stick: T,
 }
 
-/// One bristle: its traction over the largest bound, its slip in units of the [`Rates`], and whether
-/// it slides.
+/// One bristle: its traction divided by the largest bound, its slip in units of the [`Rates`], and
+/// whether it slides.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BristleState<F> {
     pub traction: [F; 2],

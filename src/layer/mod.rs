@@ -110,7 +110,7 @@ pub(crate) struct Split<T> {
     pub factors: [T; 3],
     /// Rates of the bristles: of `υx`, of `υy`, of spin at the half length `a`.
     pub rates: [T; 3],
-    /// Rates over the creepages `vx, vy, φ`.
+    /// Rates divided by the creepages `vx, vy, φ`.
     pub bend: [T; 3],
     /// Weight of the bristles.
     pub weight: T,

@@ -448,8 +448,8 @@ fn forces_are_continuous_behind_a_layer() {
     }
 }
 
-/// Without a layer, and with a slide factor of 1, the clean contact: the least layer changes nothing
-/// that could be measured.
+/// Without a layer, and with a slide factor of 1, the clean contact: the least layer changes
+/// nothing that could be measured.
 #[test]
 fn a_thin_layer_is_none() {
     let mut random = Random::new(307);
