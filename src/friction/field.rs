@@ -1,9 +1,9 @@
 //! Pressure, traction and slip at points of a contact under a law of friction.
 //!
 //! The contact has the friction that agrees with the slip and the stiffness of the law. Behind a
-//! [`layer`](crate::layer) traction and slip are the means of those of half-spaces and of bristles.
-//! The half-spaces have the creepages times a factor each, hence their slip has it as well. A
-//! bristle that slides keeps the bound `g`:
+//! layer traction and slip are the means of those of half-spaces and of bristles. The half-spaces
+//! have the creepages times a factor each, hence their slip has it as well. A bristle that slides
+//! keeps the bound `g`:
 //!
 //! ```text
 //! t = n g,   slip = n (s·n − dg/du),   dg/du = x/g
