@@ -1994,29 +1994,30 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
 
 /**
  * kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
- * For sweeps and tables; several threads may each compute a part, with a workspace of their own.
+ * Several threads may each compute a part, with a workspace of their own.
  *
  * Pairs, positions, velocities and friction are arrays, in which the next element is a stride
  * away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
  * the others: its status says why, and its other outputs are untouched.
  *
- * @param rail, wheel     prepared profiles.
+ * @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
  * @param count           number of wheels; 0 is allowed.
  * @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
  *                            [bytes], a multiple of the alignment.
  * @param positions, position_stride  where they are.
  * @param velocities, velocity_stride  how they move.
- * @param friction, friction_stride  friction that falls with the slip; NULL: constant.
- * @param workspace       memory that may hold anything; receives gap and contacts of the last.
+ * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
  * @param[out] wrenches   array of count elements; receives force and moment.
- * @param[out] derivatives  array of count elements; receives their derivatives with respect to
- *                          velocity and friction; NULL: not needed.
- * @param[out] by_position  array of count elements; receives those with respect to position; NULL:
- *                          not needed.
- * @param[out] statuses   array of count elements; receives the status of each wheel: that of
- *                        kstrip_wheel_on_rail().
+ * @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
+ *                        NULL: not needed.
+ * @param[out] contacts   array of count times room elements; receives the first contacts of each
+ *                        wheel, their unused strips zero; NULL: not needed.
+ * @param room            contacts of each wheel for which there is room, at most
+ *                        KSTRIP_CONTACTS_CAPACITY.
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail().
  * @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, without a status of any wheel.
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
+ *         of any wheel.
  */
 kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -2033,6 +2034,8 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      struct kstrip_wrench *wrenches,
                                      struct kstrip_wrench_derivatives *derivatives,
                                      struct kstrip_wrench_by_position *by_position,
+                                     struct kstrip_wheel_contact *contacts,
+                                     uint32_t room,
                                      kstrip_status *statuses);
 
 /**
@@ -2045,7 +2048,7 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
  * @param support         requested upward force of the rail on the wheel [N], > 0.
  * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
  *                        pressure carries all of it.
- * @param friction        as in kstrip_wheel_on_rail().
+ * @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
  * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
@@ -2062,6 +2065,35 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_friction *friction,
                                      struct kstrip_wheel_workspace *workspace,
                                      double *vertical);
+
+/**
+ * kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
+ *
+ * @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
+ *        search begins at the vertical member of its position.
+ * @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0.
+ * @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
+ * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+ * @param[out] verticals  array of count elements; receives the vertical positions [m].
+ * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load().
+ * @return as kstrip_wheels_on_rails().
+ */
+kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
+                                       const struct kstrip_surface *wheel,
+                                       uint32_t count,
+                                       const struct kstrip_wheel_pair *pairs,
+                                       uint32_t pair_stride,
+                                       const struct kstrip_wheel_position *positions,
+                                       uint32_t position_stride,
+                                       const double *supports,
+                                       uint32_t support_stride,
+                                       const struct kstrip_wheel_velocity *velocities,
+                                       uint32_t velocity_stride,
+                                       const struct kstrip_friction *friction,
+                                       uint32_t friction_stride,
+                                       struct kstrip_wheel_workspace *workspace,
+                                       double *verticals,
+                                       kstrip_status *statuses);
 
 /** @} */
 
@@ -2318,6 +2350,56 @@ kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
                                      struct kstrip_wheel_position *position,
                                      struct kstrip_wheel_velocity *moves,
                                      struct kstrip_wheelset_forces *forces);
+
+/**
+ * kstrip_wheelset_on_track() for many positions and velocities: the same results, bit for bit.
+ *
+ * @param set, track, workspace  as in kstrip_wheelset_on_track().
+ * @param count           number of positions; 0 is allowed.
+ * @param positions, velocities  where the wheelset is and how it moves, with their strides as in
+ *                        kstrip_wheels_on_rails().
+ * @param[out] forces     array of count elements; receives the forces.
+ * @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track().
+ * @return as kstrip_wheels_on_rails().
+ */
+kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
+                                        const struct kstrip_track *track,
+                                        uint32_t count,
+                                        const struct kstrip_wheel_position *positions,
+                                        uint32_t position_stride,
+                                        const struct kstrip_wheel_velocity *velocities,
+                                        uint32_t velocity_stride,
+                                        struct kstrip_wheelset_workspace *workspace,
+                                        struct kstrip_wheelset_forces *forces,
+                                        struct kstrip_wheelset_derivatives *derivatives,
+                                        struct kstrip_wheelset_by_position *by_position,
+                                        kstrip_status *statuses);
+
+/**
+ * kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
+ *
+ * @param set, track, count, workspace  as in kstrip_wheelsets_on_track().
+ * @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
+ * @param[out] positions, moves  arrays of count elements.
+ * @param[out] forces     array of count elements; NULL: not needed.
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle().
+ * @return as kstrip_wheels_on_rails().
+ */
+kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
+                                      const struct kstrip_track *track,
+                                      uint32_t count,
+                                      const struct kstrip_wheel_position *starts,
+                                      uint32_t start_stride,
+                                      const struct kstrip_wheel_velocity *velocities,
+                                      uint32_t velocity_stride,
+                                      const struct kstrip_wheelset_loads *loads,
+                                      uint32_t load_stride,
+                                      struct kstrip_wheelset_workspace *workspace,
+                                      struct kstrip_wheel_position *positions,
+                                      struct kstrip_wheel_velocity *moves,
+                                      struct kstrip_wheelset_forces *forces,
+                                      kstrip_status *statuses);
 
 /**
  * The difference of the rolling radii, right minus left, against the lateral shift of a rigid

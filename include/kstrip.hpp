@@ -1431,7 +1431,31 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
+namespace detail {
+/// From one element of an array to the next: 0 where one element stands for all.
+template <class T>
+std::uint32_t spacing(span<T> array) noexcept
+{
+    return array.size() == 1 ? 0 : static_cast<std::uint32_t>(sizeof(T));
+}
+/// Whether arrays have one element for all, or as many as there are results.
+template <class... Arrays>
+bool fit(std::size_t count, const Arrays &...arrays) noexcept
+{
+    return fits(count) && ((arrays.size() == 1 || arrays.size() == count) && ...);
+}
+/// The largest of several sizes.
+template <class... Arrays>
+std::size_t largest(const Arrays &...arrays) noexcept
+{
+    std::size_t found = 0;
+    ((found = found < arrays.size() ? arrays.size() : found), ...);
+    return found;
+}
+} // namespace detail
+
 /// Many wheels: `both`, `where` and `moves` have one element for all, or one for each of `to` and `statuses`.
+/// `contacts`: the same number of elements for each wheel, for its first contacts; empty: not needed.
 template <class T>
 status wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                        detail::only<span<const basic_wheel_pair<T>>> both,
@@ -1440,18 +1464,16 @@ status wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &whe
                        const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
                        detail::only<span<basic_wrench<T>>> to, span<std::int32_t> statuses,
                        detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
-                       detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
+                       detail::only<basic_wrench_by_position<T>> *by_position = nullptr,
+                       detail::only<span<basic_wheel_contact<T>>> contacts = {}) noexcept
 {
-    const std::size_t count = to.size();
-    const auto fits = [count](std::size_t size) { return size == 1 || size == count; };
-    if (!fits(both.size()) || !fits(where.size()) || !fits(moves.size()) || statuses.size() != count)
+    const std::size_t count = to.size(), room = count ? contacts.size() / count : 0;
+    if (!detail::fit(count, both, where, moves) || statuses.size() != count || contacts.size() != room * count)
         return status::error_capacity;
-    const auto stride = [](std::size_t size, std::size_t of) { return static_cast<std::uint32_t>(size == 1 ? 0 : of); };
     return KSTRIP_HPP_CALL(kstrip_wheels_on_rails, &rail, &wheel, detail::capacity(count), both.data(),
-                           stride(both.size(), sizeof(basic_wheel_pair<T>)), where.data(),
-                           stride(where.size(), sizeof(basic_wheel_position<T>)), moves.data(),
-                           stride(moves.size(), sizeof(basic_wheel_velocity<T>)), law, std::uint32_t{0}, &workspace,
-                           to.data(), slopes, by_position, statuses.data());
+                           detail::spacing(both), where.data(), detail::spacing(where), moves.data(),
+                           detail::spacing(moves), law, std::uint32_t{0}, &workspace, to.data(), slopes, by_position,
+                           room ? contacts.data() : nullptr, detail::capacity(room), statuses.data());
 }
 
 /// `moves`: the velocity of the wheel; null: the pressure carries the whole load.
@@ -1464,6 +1486,27 @@ status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &whe
 {
     return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, moves, law, &workspace,
                            &to);
+}
+
+/// Many heights: arrays have one element for all, or one for each of `to` and `statuses`. `moves`: empty: the pressure carries
+/// the whole load.
+template <class T>
+status heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                         detail::only<span<const basic_wheel_pair<T>>> both,
+                         detail::only<span<const basic_wheel_position<T>>> where,
+                         detail::only<span<const basic_newtons<T>>> supports,
+                         detail::only<span<const basic_wheel_velocity<T>>> moves,
+                         const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
+                         detail::only<span<basic_metres<T>>> to, span<std::int32_t> statuses) noexcept
+{
+    const std::size_t count = to.size();
+    const bool moving = moves.size() != 0;
+    if (!detail::fit(count, both, where, supports) || (moving && !detail::fit(count, moves)) || statuses.size() != count)
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_heights_for_loads, &rail, &wheel, detail::capacity(count), both.data(),
+                           detail::spacing(both), where.data(), detail::spacing(where), supports.data(),
+                           detail::spacing(supports), moving ? moves.data() : nullptr, detail::spacing(moves), law,
+                           std::uint32_t{0}, &workspace, to.data(), statuses.data());
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
@@ -1536,8 +1579,7 @@ std::vector<basic_wrench<T>> wheels_on_rails(const basic_surface<T> &rail, const
                                              basic_wheel_workspace<T> &workspace,
                                              const detail::only<basic_friction<T>> *law = nullptr)
 {
-    const std::size_t some = both.size() < where.size() ? where.size() : both.size();
-    const std::size_t count = some < moves.size() ? moves.size() : some;
+    const std::size_t count = detail::largest(both, where, moves);
     std::vector<basic_wrench<T>> found(count);
     std::vector<std::int32_t> statuses(count);
     detail::check(wheels_on_rails<T>(rail, wheel, both, where, moves, law, workspace, span<basic_wrench<T>>(found.data(), count),
@@ -1569,6 +1611,24 @@ basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surfac
                                 const detail::only<basic_wheel_velocity<T>> *moves = nullptr,
                                 const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
+
+/// The heights of many wheels. Arrays: one element for all, or one for each. `moves`: empty: the pressure carries the load.
+template <class T>
+std::vector<basic_metres<T>> heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                                               detail::only<span<const basic_wheel_pair<T>>> both,
+                                               detail::only<span<const basic_wheel_position<T>>> where,
+                                               detail::only<span<const basic_newtons<T>>> supports,
+                                               basic_wheel_workspace<T> &workspace,
+                                               detail::only<span<const basic_wheel_velocity<T>>> moves = {},
+                                               const detail::only<basic_friction<T>> *law = nullptr)
+{
+    const std::size_t count = detail::largest(both, where, supports, moves);
+    std::vector<basic_metres<T>> found(count);
+    std::vector<std::int32_t> statuses(count);
+    detail::check(heights_for_loads<T>(rail, wheel, both, where, supports, moves, law, workspace,
+                                       span<basic_metres<T>>(found.data(), count), span<std::int32_t>(statuses.data(), count)));
+    return found;
+}
 #endif
 
 // ---- The wheelset: two wheels on two rails -----------------------------------------------------
@@ -1686,6 +1746,42 @@ status wheelset_settle(const basic_wheelset<T> &set, const basic_track<T> &rails
                            &to_moves, to_forces);
 }
 
+/// Many positions: `where` and `moves` have one element for all, or one for each of `to` and `statuses`.
+/// `slopes`, `by_position`: arrays of as many elements; pass null if they are not needed.
+template <class T>
+status wheelsets_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                          detail::only<span<const basic_wheel_position<T>>> where,
+                          detail::only<span<const basic_wheel_velocity<T>>> moves,
+                          basic_wheelset_workspace<T> &workspace, detail::only<span<basic_wheelset_forces<T>>> to,
+                          span<std::int32_t> statuses, detail::only<basic_wheelset_derivatives<T>> *slopes = nullptr,
+                          detail::only<basic_wheelset_by_position<T>> *by_position = nullptr) noexcept
+{
+    const std::size_t count = to.size();
+    if (!detail::fit(count, where, moves) || statuses.size() != count)
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_wheelsets_on_track, &set, &rails, detail::capacity(count), where.data(),
+                           detail::spacing(where), moves.data(), detail::spacing(moves), &workspace, to.data(), slopes,
+                           by_position, statuses.data());
+}
+
+/// Many balances: arrays have one element for all, or one for each of the results.
+template <class T>
+status wheelsets_settle(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                        detail::only<span<const basic_wheel_position<T>>> start,
+                        detail::only<span<const basic_wheel_velocity<T>>> moves,
+                        detail::only<span<const basic_wheelset_loads<T>>> loads,
+                        basic_wheelset_workspace<T> &workspace, detail::only<span<basic_wheel_position<T>>> to,
+                        detail::only<span<basic_wheel_velocity<T>>> to_moves, span<std::int32_t> statuses,
+                        detail::only<basic_wheelset_forces<T>> *to_forces = nullptr) noexcept
+{
+    const std::size_t count = to.size();
+    if (!detail::fit(count, start, moves, loads) || to_moves.size() != count || statuses.size() != count)
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_wheelsets_settle, &set, &rails, detail::capacity(count), start.data(),
+                           detail::spacing(start), moves.data(), detail::spacing(moves), loads.data(),
+                           detail::spacing(loads), &workspace, to.data(), to_moves.data(), to_forces, statuses.data());
+}
+
 /// Returns error_capacity where the arrays have different sizes.
 template <class T>
 status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
@@ -1769,6 +1865,47 @@ basic_settled<T> wheelset_settle(const basic_wheelset<T> &set, const basic_track
                                  const basic_wheelset_loads<T> &loads, basic_wheelset_workspace<T> &workspace)
 KSTRIP_HPP_THROWING(basic_settled<T>, wheelset_settle, set, rails, start, moves, loads, workspace, to.position,
                     to.velocity, &to.forces)
+
+/// The forces at many positions. `where`, `moves`: one element for all, or one for each.
+template <class T>
+std::vector<basic_wheelset_forces<T>> wheelsets_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                                         detail::only<span<const basic_wheel_position<T>>> where,
+                                                         detail::only<span<const basic_wheel_velocity<T>>> moves,
+                                                         basic_wheelset_workspace<T> &workspace)
+{
+    const std::size_t count = detail::largest(where, moves);
+    std::vector<basic_wheelset_forces<T>> found(count);
+    std::vector<std::int32_t> statuses(count);
+    detail::check(wheelsets_on_track<T>(set, rails, where, moves, workspace, span<basic_wheelset_forces<T>>(found.data(), count),
+                                        span<std::int32_t>(statuses.data(), count)));
+    return found;
+}
+
+/// What wheelsets_settle() returns: one element for each balance.
+template <class T>
+struct basic_many_settled {
+    std::vector<basic_wheel_position<T>> position;
+    std::vector<basic_wheel_velocity<T>> velocity;
+    std::vector<basic_wheelset_forces<T>> forces;
+};
+/// Many balances. Arrays: one element for all, or one for each.
+template <class T>
+basic_many_settled<T> wheelsets_settle(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                       detail::only<span<const basic_wheel_position<T>>> start,
+                                       detail::only<span<const basic_wheel_velocity<T>>> moves,
+                                       detail::only<span<const basic_wheelset_loads<T>>> loads,
+                                       basic_wheelset_workspace<T> &workspace)
+{
+    const std::size_t count = detail::largest(start, moves, loads);
+    basic_many_settled<T> found{std::vector<basic_wheel_position<T>>(count), std::vector<basic_wheel_velocity<T>>(count),
+                                std::vector<basic_wheelset_forces<T>>(count)};
+    std::vector<std::int32_t> statuses(count);
+    detail::check(wheelsets_settle<T>(set, rails, start, moves, loads, workspace,
+                                      span<basic_wheel_position<T>>(found.position.data(), count),
+                                      span<basic_wheel_velocity<T>>(found.velocity.data(), count),
+                                      span<std::int32_t>(statuses.data(), count), found.forces.data()));
+    return found;
+}
 
 /// The form of rolling_radius_difference() that throws.
 template <class T>

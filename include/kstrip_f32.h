@@ -773,6 +773,8 @@ kstrip_status kstrip_wheels_on_rails_f32(const struct kstrip_surface_f32 *rail,
                                          struct kstrip_wrench_f32 *wrenches,
                                          struct kstrip_wrench_derivatives_f32 *derivatives,
                                          struct kstrip_wrench_by_position_f32 *by_position,
+                                         struct kstrip_wheel_contact_f32 *contacts,
+                                         uint32_t room,
                                          kstrip_status *statuses);
 
 /** kstrip_height_for_load() in single precision. */
@@ -785,6 +787,24 @@ kstrip_status kstrip_height_for_load_f32(const struct kstrip_surface_f32 *rail,
                                          const struct kstrip_friction_f32 *friction,
                                          struct kstrip_wheel_workspace_f32 *workspace,
                                          float *vertical);
+
+/** kstrip_heights_for_loads() in single precision. */
+kstrip_status kstrip_heights_for_loads_f32(const struct kstrip_surface_f32 *rail,
+                                           const struct kstrip_surface_f32 *wheel,
+                                           uint32_t count,
+                                           const struct kstrip_wheel_pair_f32 *pairs,
+                                           uint32_t pair_stride,
+                                           const struct kstrip_wheel_position_f32 *positions,
+                                           uint32_t position_stride,
+                                           const float *supports,
+                                           uint32_t support_stride,
+                                           const struct kstrip_wheel_velocity_f32 *velocities,
+                                           uint32_t velocity_stride,
+                                           const struct kstrip_friction_f32 *friction,
+                                           uint32_t friction_stride,
+                                           struct kstrip_wheel_workspace_f32 *workspace,
+                                           float *verticals,
+                                           kstrip_status *statuses);
 
 /** @} */
 
@@ -908,6 +928,36 @@ kstrip_status kstrip_wheelset_settle_f32(const struct kstrip_wheelset_f32 *set,
                                          struct kstrip_wheel_position_f32 *position,
                                          struct kstrip_wheel_velocity_f32 *moves,
                                          struct kstrip_wheelset_forces_f32 *forces);
+
+/** kstrip_wheelsets_on_track() in single precision. */
+kstrip_status kstrip_wheelsets_on_track_f32(const struct kstrip_wheelset_f32 *set,
+                                            const struct kstrip_track_f32 *track,
+                                            uint32_t count,
+                                            const struct kstrip_wheel_position_f32 *positions,
+                                            uint32_t position_stride,
+                                            const struct kstrip_wheel_velocity_f32 *velocities,
+                                            uint32_t velocity_stride,
+                                            struct kstrip_wheelset_workspace_f32 *workspace,
+                                            struct kstrip_wheelset_forces_f32 *forces,
+                                            struct kstrip_wheelset_derivatives_f32 *derivatives,
+                                            struct kstrip_wheelset_by_position_f32 *by_position,
+                                            kstrip_status *statuses);
+
+/** kstrip_wheelsets_settle() in single precision. */
+kstrip_status kstrip_wheelsets_settle_f32(const struct kstrip_wheelset_f32 *set,
+                                          const struct kstrip_track_f32 *track,
+                                          uint32_t count,
+                                          const struct kstrip_wheel_position_f32 *starts,
+                                          uint32_t start_stride,
+                                          const struct kstrip_wheel_velocity_f32 *velocities,
+                                          uint32_t velocity_stride,
+                                          const struct kstrip_wheelset_loads_f32 *loads,
+                                          uint32_t load_stride,
+                                          struct kstrip_wheelset_workspace_f32 *workspace,
+                                          struct kstrip_wheel_position_f32 *positions,
+                                          struct kstrip_wheel_velocity_f32 *moves,
+                                          struct kstrip_wheelset_forces_f32 *forces,
+                                          kstrip_status *statuses);
 
 /** kstrip_rolling_radius_difference() in single precision. */
 kstrip_status kstrip_rolling_radius_difference_f32(const struct kstrip_wheelset_f32 *set,

@@ -26,6 +26,14 @@ macro_rules! statuses {
                 self as i32
             }
 
+            /// The variant of a status of the C interface.
+            pub(crate) const fn from_code(code: i32) -> Option<Self> {
+                match code {
+                    $($number => Some(Self::$variant),)*
+                    _ => None,
+                }
+            }
+
             const fn advice(code: i32) -> Option<&'static CStr> {
                 match code {
                     $($number => Some(const { c_string(concat!($text, "\0")) }),)*

@@ -581,7 +581,7 @@ module kstrip
    type, bind(c) :: kstrip_wheelset_forces
       type(kstrip_wrench) :: wrench
       type(kstrip_wrench) :: wheel(2)
-      real(c_double) :: rail(2, 3) = 0
+      real(c_double) :: rail(3, 2) = 0
    end type
 
    !> Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
@@ -869,7 +869,7 @@ module kstrip
       integer(c_int32_t) function kstrip_prepare_profile(y, z, points, step, smoothing_length, surface) bind(c)
          import
          real(c_double), intent(in) :: y(*)
-         real(c_double), intent(in) :: z
+         real(c_double), intent(in) :: z(*)
          integer(c_int32_t), value :: points
          real(c_double), value :: step
          real(c_double), value :: smoothing_length
@@ -896,7 +896,7 @@ module kstrip
          type(kstrip_wheel_pair), intent(in) :: pair
          type(kstrip_wheel_position), intent(in) :: position
          type(kstrip_patch), intent(inout) :: workspace
-         type(kstrip_wheel_contact), intent(inout) :: contacts
+         type(kstrip_wheel_contact), intent(inout) :: contacts(*)
          integer(c_int32_t), intent(inout) :: count
       end function
 
@@ -912,7 +912,7 @@ module kstrip
       integer(c_int32_t) function kstrip_wrench_from_contacts(contacts, count, velocity, model, &
          friction, wrench, derivatives) bind(c)
          import
-         type(kstrip_wheel_contact), intent(in) :: contacts
+         type(kstrip_wheel_contact), intent(in) :: contacts(*)
          integer(c_int32_t), value :: count
          type(kstrip_wheel_velocity), intent(in) :: velocity
          integer(c_int32_t), value :: model
@@ -941,24 +941,26 @@ module kstrip
       !> kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
       integer(c_int32_t) function kstrip_wheels_on_rails(rail, wheel, count, pairs, pair_stride, &
          positions, position_stride, velocities, velocity_stride, friction, friction_stride, &
-         workspace, wrenches, derivatives, by_position, statuses) bind(c)
+         workspace, wrenches, derivatives, by_position, contacts, room, statuses) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
          type(kstrip_surface), intent(in) :: wheel
          integer(c_int32_t), value :: count
-         type(kstrip_wheel_pair), intent(in) :: pairs
+         type(kstrip_wheel_pair), intent(in) :: pairs(*)
          integer(c_int32_t), value :: pair_stride
-         type(kstrip_wheel_position), intent(in) :: positions
+         type(kstrip_wheel_position), intent(in) :: positions(*)
          integer(c_int32_t), value :: position_stride
-         type(kstrip_wheel_velocity), intent(in) :: velocities
+         type(kstrip_wheel_velocity), intent(in) :: velocities(*)
          integer(c_int32_t), value :: velocity_stride
-         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_friction), intent(in), optional :: friction(*)
          integer(c_int32_t), value :: friction_stride
          type(kstrip_wheel_workspace), intent(inout) :: workspace
-         type(kstrip_wrench), intent(inout) :: wrenches
-         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
-         type(kstrip_wrench_by_position), intent(inout), optional :: by_position
-         integer(c_int32_t), intent(inout) :: statuses
+         type(kstrip_wrench), intent(inout) :: wrenches(*)
+         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives(*)
+         type(kstrip_wrench_by_position), intent(inout), optional :: by_position(*)
+         type(kstrip_wheel_contact), intent(inout), optional :: contacts(*)
+         integer(c_int32_t), value :: room
+         integer(c_int32_t), intent(inout) :: statuses(*)
       end function
 
       !> The vertical position at which the rail supports a wheel with a given force.
@@ -971,9 +973,32 @@ module kstrip
          type(kstrip_wheel_position), intent(in) :: position
          real(c_double), value :: support
          type(kstrip_wheel_velocity), intent(in), optional :: velocity
-         type(kstrip_friction), intent(in) :: friction
+         type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: vertical
+      end function
+
+      !> kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
+      integer(c_int32_t) function kstrip_heights_for_loads(rail, wheel, count, pairs, pair_stride, &
+         positions, position_stride, supports, support_stride, velocities, velocity_stride, &
+         friction, friction_stride, workspace, verticals, statuses) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_pair), intent(in) :: pairs(*)
+         integer(c_int32_t), value :: pair_stride
+         type(kstrip_wheel_position), intent(in) :: positions(*)
+         integer(c_int32_t), value :: position_stride
+         real(c_double), intent(in) :: supports(*)
+         integer(c_int32_t), value :: support_stride
+         type(kstrip_wheel_velocity), intent(in), optional :: velocities(*)
+         integer(c_int32_t), value :: velocity_stride
+         type(kstrip_friction), intent(in), optional :: friction(*)
+         integer(c_int32_t), value :: friction_stride
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         real(c_double), intent(inout) :: verticals(*)
+         integer(c_int32_t), intent(inout) :: statuses(*)
       end function
 
       !> The gauge face of a rail: the least y of its profile down to a depth below its top.
@@ -1022,6 +1047,44 @@ module kstrip
          type(kstrip_wheel_position), intent(inout) :: position
          type(kstrip_wheel_velocity), intent(inout) :: moves
          type(kstrip_wheelset_forces), intent(inout), optional :: forces
+      end function
+
+      !> kstrip_wheelset_on_track() for many positions and velocities: the same results, bit for bit.
+      integer(c_int32_t) function kstrip_wheelsets_on_track(set, track, count, positions, &
+         position_stride, velocities, velocity_stride, workspace, forces, derivatives, by_position, statuses) bind(c)
+         import
+         type(kstrip_wheelset), intent(in) :: set
+         type(kstrip_track), intent(in) :: track
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_position), intent(in) :: positions(*)
+         integer(c_int32_t), value :: position_stride
+         type(kstrip_wheel_velocity), intent(in) :: velocities(*)
+         integer(c_int32_t), value :: velocity_stride
+         type(kstrip_wheelset_workspace), intent(inout) :: workspace
+         type(kstrip_wheelset_forces), intent(inout) :: forces(*)
+         type(kstrip_wheelset_derivatives), intent(inout), optional :: derivatives(*)
+         type(kstrip_wheelset_by_position), intent(inout), optional :: by_position(*)
+         integer(c_int32_t), intent(inout) :: statuses(*)
+      end function
+
+      !> kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
+      integer(c_int32_t) function kstrip_wheelsets_settle(set, track, count, starts, start_stride, &
+         velocities, velocity_stride, loads, load_stride, workspace, positions, moves, forces, statuses) bind(c)
+         import
+         type(kstrip_wheelset), intent(in) :: set
+         type(kstrip_track), intent(in) :: track
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_position), intent(in) :: starts(*)
+         integer(c_int32_t), value :: start_stride
+         type(kstrip_wheel_velocity), intent(in) :: velocities(*)
+         integer(c_int32_t), value :: velocity_stride
+         type(kstrip_wheelset_loads), intent(in) :: loads(*)
+         integer(c_int32_t), value :: load_stride
+         type(kstrip_wheelset_workspace), intent(inout) :: workspace
+         type(kstrip_wheel_position), intent(inout) :: positions(*)
+         type(kstrip_wheel_velocity), intent(inout) :: moves(*)
+         type(kstrip_wheelset_forces), intent(inout), optional :: forces(*)
+         integer(c_int32_t), intent(inout) :: statuses(*)
       end function
 
       !> The difference of the rolling radii, right minus left, against the lateral shift of a rigid wheelset that

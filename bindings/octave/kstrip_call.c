@@ -587,6 +587,45 @@ static mxArray *wheelset_settle(int count, const mxArray *in[])
     return made;
 }
 
+/* (contact, points, start, parameters, model, strips): points with rows longitudinal, lateral, spin, fx, fy, weight; NaN: not measured */
+static mxArray *fit_friction(int count, const mxArray *in[])
+{
+    const mxArray *points = given(count, in, 1);
+    const kstrip_options options = options_of(given(count, in, 4), given(count, in, 5));
+    const size_t n = columns(points, "points", 6, 6 * sizeof(double));
+    kstrip_contact contact;
+    kstrip_friction start;
+    kstrip_friction_fit fit;
+    uint32_t bad = (uint32_t)n;
+    columns(given(count, in, 0), "contact", 6, sizeof contact);
+    columns(given(count, in, 2), "start", 5, sizeof start);
+    load(&contact, sizeof contact, in[0], 0);
+    load(&start, sizeof start, in[2], 0);
+    kstrip_measured_force *measured = mxCalloc(n ? n : 1, sizeof *measured);
+    for (size_t k = 0; k < n; k++) {
+        const double *row = mxGetPr(points) + 6 * k;
+        const int has_x = row[3] == row[3], has_y = row[4] == row[4];
+        measured[k] = (kstrip_measured_force){.longitudinal = row[0], .lateral = row[1], .spin = row[2], .fx = has_x ? row[3] : 0,
+                                              .fy = has_y ? row[4] : 0, .weight = row[5],
+                                              .measured = (has_x ? KSTRIP_MEASURED_FX : 0) | (has_y ? KSTRIP_MEASURED_FY : 0)};
+    }
+    report seen = {{0}, {0}};
+    const kstrip_status status =
+        kstrip_fit_friction(&contact, measured, (uint32_t)n, &start, (uint32_t)scalar(given(count, in, 3), 0), &options, &fit, &bad);
+    mxFree(measured);
+    if (status < 0 && bad >= n) mexErrMsgIdAndTxt("kstrip:status", "kstrip: %s", kstrip_status_string(status));
+    note(&seen, status, bad < n ? bad : 0);
+    warn(&seen);
+    mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
+    const size_t members = sizeof fit.law / sizeof(double);
+    memcpy(field(made, "law", members, 1), &fit.law, sizeof fit.law);
+    memcpy(field(made, "standard_errors", members, 1), &fit.standard_errors, sizeof fit.standard_errors);
+    *field(made, "residual", 1, 1) = fit.residual;
+    *field(made, "steps", 1, 1) = fit.steps;
+    *field(made, "status", 1, 1) = status;
+    return made;
+}
+
 void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *input[])
 {
     char name[32] = "";
@@ -613,6 +652,8 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         output[0] = wheelset_on_track(count, in);
     else if (strcmp(name, "wheelset_settle") == 0)
         output[0] = wheelset_settle(count, in);
+    else if (strcmp(name, "fit_friction") == 0)
+        output[0] = fit_friction(count, in);
     else if (strcmp(name, "height_for_load") == 0)
         output[0] = height_for_load(count, in);
     else

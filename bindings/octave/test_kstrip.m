@@ -88,6 +88,25 @@ assert(found.wrench, still.wrench, 1e-6);
 aside = still.velocity + [0; 1e-6; 0; 0; 0; 0];
 slope = (kstrip_wheelset_on_track(rail, wheel, set, still.position, aside).wrench - found.wrench) / 1e-6;
 assert(squeeze(found.by_velocity(1:6, 2, :)), slope, 1e-3 * max(abs(slope(:))));
+% A law with a layer: less stiff than clean bodies, its derivative that of differences; and the fit finds it again from its forces
+creep = [linspace(2e-4, 0.05, 30); zeros(2, 30)];
+soft = [0.35; 0.5; 0.3; 10; 0; 0; 1e-13];
+layered = kstrip_evaluate(contact, creep, soft);
+assert(layered.force(1, 1) < 0.9 * kstrip(contact, creep(:, 1))(1) && layered.force(1, 1) > 0);
+slope = (kstrip_evaluate(contact, creep, soft + [0; 0; 0; 0; 0; 0; 1e-19]).force - layered.force) / 1e-19;
+assert(layered.by_layer, slope, 1e-4 * max(abs(slope(:))));
+again = kstrip_fit_friction(creep(1, :), layered.force(1, :), contact, [0; 0.5; 0.3; 10; 0], {'friction', 'layer'});
+assert(again.status == 0 && again.residual < 1e-2);
+assert(again.law([1, 7]), soft([1, 7]), -1e-4);
+assert(kstrip_evaluate(contact, creep, again.law).force, layered.force, 0.1);
+% The measured points of a locomotive: the law of docs/python.md, here and there
+measured = dlmread(fullfile(fileparts(mfilename('fullpath')), '..', '..', 'tests', 'data', 'eurosprinter_measured.csv'), ',', 1, 0)';
+rig = [6.304e-3; 12.61e-3; 106.7e3; 82e9; 0.28; 0.33];
+law = kstrip_fit_friction(measured(1, :) / 100, measured(2, :) * 106.7e3, rig, [0.35; 0.5; 0.3; 10; 0.3], ...
+                          {'friction', 'ratio', 'decay', 'slope_factor', 'slide_factor'});
+assert(law.law(1), 0.323, 5e-4);
+assert(law.law(5), 0.59, 5e-3);
+assert(law.standard_errors([1, 5]), [0.007; 0.15], [5e-4; 5e-3]);
 % Warnings are passed on, once for each kind
 lastwarn('');
 printed = evalc("kstrip(contact, [1e-3, 1e-3; 0, 0; 20, 30], 'strip_1967');");
@@ -112,10 +131,13 @@ fails(@() kstrip_wheel_on_rail(y, wheel, pair, position, velocity), 'rail must b
 fails(@() kstrip_wheel_on_rail(rail, wheel, struct('radius', 1), position, velocity), 'unknown field radius');
 fails(@() kstrip_wheel_on_rail(rail, wheel, pair, [0.3; 0; 0; 0], velocity), 'column 1: ');
 fails(@() kstrip_patch_from_profile(y, y .^ 2, struct('radius', 1)), 'unknown field radius');
+fails(@() kstrip_fit_friction([1e-3, 2e-3], [1e3, Inf], contact), 'column 2: an input is infinite');
+fails(@() kstrip_fit_friction(1e-3, 1e3, contact), 'fewer measured forces than parameters');
+fails(@() kstrip_fit_friction(1e-3, 1e3, contact, [], 'slope'), 'fit must be some of friction, ratio');
 % Every function has help text
 for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact', ...
             'kstrip_prepare_profile', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
-            'kstrip_wheelset_on_track', 'kstrip_wheelset_settle'}
+            'kstrip_wheelset_on_track', 'kstrip_wheelset_settle', 'kstrip_fit_friction'}
     assert(numel(help(name{1})) > 300);
 end
 printf("%.6f %.6f %.6f\n", kstrip(contact, [1e-3; 0.5e-3; 0.1]));

@@ -1,6 +1,8 @@
 //! C arrays as slices.
 
-use crate::status::Error;
+use super::batch::{is_aligned, read};
+use super::constants::kstrip_status;
+use crate::status::{Error, Warning};
 use core::mem::MaybeUninit;
 
 /// An input array; may be NULL when it is empty.
@@ -47,4 +49,64 @@ pub(super) unsafe fn output<'a, T>(
 pub(super) unsafe fn place<'a, T>(pointer: *mut T) -> Option<&'a mut MaybeUninit<T>> {
     // SAFETY: the caller's promise.
     unsafe { pointer.cast::<MaybeUninit<T>>().as_mut() }
+}
+
+/// The place of an element of an output array; `None` if it is not requested.
+///
+/// # Safety
+/// `first` is NULL, or valid and aligned for writing at this index while the place lives, and
+/// nothing else refers to that element.
+pub(super) unsafe fn element<'a, T>(first: *mut T, i: usize) -> Option<&'a mut MaybeUninit<T>> {
+    // SAFETY: the caller's promise.
+    (!first.is_null()).then(|| unsafe { place(first.wrapping_add(i)) }).flatten()
+}
+
+/// An input array in which the next element is a stride away; `None` in place of each element if it
+/// is NULL.
+#[derive(Clone, Copy)]
+pub(super) struct Strided<T> {
+    first: *const T,
+    stride: isize,
+}
+
+impl<T: Copy> Strided<T> {
+    pub(super) fn new(first: *const T, stride: u32, count: u32) -> Result<Self, Error> {
+        let stride = stride as isize;
+        Error::Stride.unless(count <= 1 || is_aligned(first, stride))?;
+        Ok(Self { first, stride })
+    }
+
+    /// An array that must be given unless it is empty.
+    pub(super) fn required(first: *const T, stride: u32, count: u32) -> Result<Self, Error> {
+        Error::NullPointer.unless(count == 0 || !first.is_null())?;
+        Self::new(first, stride, count)
+    }
+
+    /// # Safety
+    /// The array is NULL, or valid for reading at this index.
+    pub(super) unsafe fn at(self, i: usize) -> Option<T> {
+        // SAFETY: the caller's promise.
+        (!self.first.is_null()).then(|| unsafe { read(self.first, self.stride, i) })
+    }
+}
+
+/// Calls a function for each of `count` elements and writes its statuses. The result is the first
+/// error, or the most serious warning.
+///
+/// # Safety
+/// `statuses` is NULL or valid for `count` writes, and `one` does not write there.
+pub(super) unsafe fn each(
+    count: u32,
+    statuses: *mut kstrip_status,
+    mut one: impl FnMut(usize) -> kstrip_status,
+) -> Result<Warning, Error> {
+    let (mut bad, mut worst) = (None, Warning::None);
+    // SAFETY: the caller's promise.
+    let statuses = unsafe { output(statuses, count) }?;
+    for (i, place) in statuses.iter_mut().enumerate() {
+        let status = *place.write(one(i));
+        bad = bad.or(Error::from_code(status));
+        worst = worst.worse(Warning::from_code(status).unwrap_or_default());
+    }
+    bad.map_or(Ok(worst), Err)
 }

@@ -36,6 +36,34 @@ fn fortran_module_is_what_the_header_says() {
     assert!(read(name) == written, "{name} is not what the header says: {way}");
 }
 
+/// What an example prints, compiled without a warning.
+fn fortran_program(name: &str, folder: &std::path::Path) -> String {
+    let program = folder.join(name);
+    let sources = ["kstrip", name]
+        .map(|name| root().join("bindings/fortran").join(name).with_extension("f90"));
+    let mut compiler = Command::new("gfortran");
+    compiler.args(["-std=f2018", "-Wall", "-Wextra", "-Werror", "-O1", "-J"]).arg(folder);
+    output_of(compiler.args(sources).arg(library()).arg("-o").arg(&program));
+    output_of(&mut Command::new(program))
+}
+
+/// Rails carry the load of wheelsets that were settled in one call, at mirrored shifts with
+/// mirrored forces; a layer makes contacts less stiff; the fit finds the law that made the forces.
+#[test]
+fn fortran_has_wheelset_layer_and_fit() {
+    if !has("gfortran") {
+        say("SKIPPED: the wheelset in Fortran, because there is no gfortran");
+        return;
+    }
+    let rows = numbers(&fortran_program("wheelset", &folder("fortran_wheelset")));
+    let [left, middle, right, rest] = [0, 4, 8, 12].map(|at| &rows[at..]);
+    assert!([left, middle, right].iter().all(|row| (row[1] - 160e3).abs() < 0.1), "{rows:?}");
+    assert!(left[2] > 10.0 && left[2] == left[3] && right[2] == -left[2], "{rows:?}");
+    assert!(0.0 < rest[0] && rest[0] < 0.5 * rest[1], "{rows:?}");
+    // six digits are printed
+    assert!((rest[2] - 0.35).abs() < 1e-6 && (rest[3] - 1e-13).abs() < 1e-19, "{rows:?}");
+}
+
 /// The example compiles without a warning and prints what the same calls print in C.
 #[test]
 fn fortran_prints_what_c_prints() {
@@ -44,13 +72,7 @@ fn fortran_prints_what_c_prints() {
         return;
     }
     let folder = folder("fortran");
-    let program = folder.join("wheel_rail");
-    let sources =
-        ["kstrip.f90", "wheel_rail.f90"].map(|name| root().join("bindings/fortran").join(name));
-    let mut compiler = Command::new("gfortran");
-    compiler.args(["-std=f2018", "-Wall", "-Wextra", "-Werror", "-O1", "-J"]).arg(&folder);
-    output_of(compiler.args(sources).arg(library()).arg("-o").arg(&program));
-    let printed = output_of(&mut Command::new(program));
+    let printed = fortran_program("wheel_rail", &folder);
 
     let twin = r#"
 #include <math.h>

@@ -115,6 +115,20 @@ int main()
     expect(same(wrenches[0], wrench) && wrenches[1].normal_force < wrench.normal_force, "wheels_on_rails");
     const auto of_two = kstrip::wheels_on_rails<double>(rail, wheel, pairs, {places.data(), 2}, all_move, room, &wet);
     expect(of_two.size() == 2 && same(of_two[0], wrenches[0]) && same(of_two[1], wrenches[1]), "wheels_on_rails: both forms");
+    auto met = std::vector<kstrip::wheel_contact>(4);
+    fine(kstrip::wheels_on_rails<double>(rail, wheel, pairs, {places.data(), 2}, all_move, &wet, room, {wrenches.data(), 2},
+                                         {statuses.data(), 2}, nullptr, nullptr, met), "wheels_on_rails: contacts");
+    expect(wrenches[0].contacts == 1 && same(met[2], room.contacts[0]) && met[0].normal_force == wrenches[0].normal_force && met[1].radius == 0_m,
+           "wheels_on_rails: contacts of each");
+    const std::array<kstrip::newtons, 2> supports{80_kN, 60_kN};
+    const auto heights = kstrip::heights_for_loads<double>(rail, wheel, pairs, {&where, 1}, supports, room, all_move, &wet);
+    expect(heights.size() == 2 && kstrip::height_for_load(rail, wheel, pair, where, 60_kN, room, &moves, &wet) == heights[1], "heights_for_loads");
+    std::array<kstrip::metres, 2> carried{};
+    fine(kstrip::heights_for_loads<double>(rail, wheel, pairs, {&where, 1}, supports, {}, nullptr, room, carried, {statuses.data(), 2}),
+         "heights_for_loads: by pressure");
+    expect(kstrip::height_for_load(rail, wheel, pair, where, 80_kN, room) == carried[0], "heights_for_loads: both forms");
+    expect(kstrip::heights_for_loads<double>(rail, wheel, pairs, {places.data(), 3}, supports, {}, nullptr, room, carried, {statuses.data(), 2}) ==
+               kstrip::status::error_capacity, "heights_for_loads: other sizes");
     const std::array<double, 6> on_wheel = wrench, velocity = moves;
     expect(std::abs(on_wheel[2] + 80e3) < 1 && on_wheel[4] == wrench.moment[1].value && velocity[4] == -43.6, "arrays of a wheel");
 
@@ -155,6 +169,19 @@ int main()
     const auto whole = kstrip::wheelset_on_track_with_derivatives(set, track, at, turning, both, true);
     expect(same(whole.forces, forces) && same(whole.derivatives, by_velocity) && same(whole.by_position, by_place), "wheelset_on_track: both forms");
     expect(same(kstrip::wheelset_on_track(set, track, at, turning, both), forces), "wheelset_on_track: the forces alone");
+    const std::array<kstrip::wheelset_loads, 2> loads{{{160_kN}, {120_kN, 10_kNm}}};
+    const kstrip::wheel_position begin{1_mm, 0_mm, 1_mrad};
+    const auto balances = kstrip::wheelsets_settle<double>(set, track, {&begin, 1}, all_move, loads, both);
+    expect(same(balances.position[0], at) && same(balances.velocity[0], turning), "wheelsets_settle");
+    const auto second = kstrip::wheelset_settle(set, track, begin, moves, loads[1], both);
+    expect(same(balances.forces[1], second.forces) && same(balances.position[1], second.position), "wheelsets_settle: the second");
+    const auto all = kstrip::wheelsets_on_track<double>(set, track, balances.position, balances.velocity, both);
+    expect(same(all[0], forces) && same(all[1], kstrip::wheelset_on_track(set, track, second.position, second.velocity, both)), "wheelsets_on_track");
+    auto each_slope = std::vector<kstrip::wheelset_derivatives>(2);
+    std::vector<kstrip::wheelset_forces> each_force(2);
+    fine(kstrip::wheelsets_on_track<double>(set, track, balances.position, balances.velocity, both, each_force, {statuses.data(), 2},
+                                            each_slope.data()), "wheelsets_on_track: derivatives");
+    expect(same(each_force[1], all[1]) && same(each_slope[0], by_velocity), "wheelsets_on_track: both forms");
     const std::array<double, 6> on_set = forces.wrench;
     expect(std::abs(on_set[2] + 160e3) < 160, "wheelset: the load");
     const auto through = kstrip::curve_motion<double>({20_m_per_s, 0.002_per_m, 0.05_rad}, at, kstrip::wheel_velocity{});

@@ -2,10 +2,15 @@
 
 use crate::header::{Function, Structure, Variable, declared};
 
+/// What is one object for all elements of a function that has an array of statuses.
+const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
+
 /// Pointers by these names are arrays; other pointers are one object.
-const ARRAYS: [&str; 12] = [
+const ARRAYS: [&str; 14] = [
     "x",
     "y",
+    "z",
+    "contacts",
     "distance",
     "points",
     "strips",
@@ -119,7 +124,10 @@ fn structure(header: &str, found: &Structure) -> String {
             .nth(1)
             .and_then(|rest| rest.split("];").next());
         let counts = counts.map_or(String::new(), |counts| {
-            format!("({})", counts.replace("][", ", ").to_lowercase())
+            // (the last index of C is the first of Fortran)
+            let mut counts: Vec<&str> = counts.split("][").collect();
+            counts.reverse();
+            format!("({})", counts.join(", ").to_lowercase())
         });
         text += &format!("      {kind} :: {}{counts}{zero}\n", member.name);
     }
@@ -154,7 +162,8 @@ fn function(header: &str, found: &Function) -> String {
             None => format!("         {}, value :: {name}\n", kind(&argument.kind).0),
             Some((target, written)) => {
                 let intent = if written { "inout" } else { "in" };
-                let array = if ARRAYS.contains(&name.as_str()) { "(*)" } else { "" };
+                let many = names.contains(&"statuses") && !FOR_ALL.contains(&name.as_str());
+                let array = if many || ARRAYS.contains(&name.as_str()) { "(*)" } else { "" };
                 let optional = if may_be_null(argument) { ", optional" } else { "" };
                 format!(
                     "         {}, intent({intent}){optional} :: {name}{array}\n",

@@ -54,13 +54,13 @@ const GROUPS: [Group; 10] = [
         title: "Wheel on rail: from two profiles to the forces on the wheel",
         constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_",
         functions: "prepare_profile touch contacts_from_gap wheel_motion wrench_from_contacts \
-            wheel_on_rail wheels_on_rails height_for_load",
+            wheel_on_rail wheels_on_rails height_for_load heights_for_loads",
     },
     Group {
         id: "wheelset",
         title: "The wheelset: two wheels on two rails",
         constants: "KSTRIP_WHEELSET_",
-        functions: "gauge_face curve_motion wheelset_on_track wheelset_settle \
+        functions: "gauge_face curve_motion wheelset_on_track wheelset_settle wheelsets_on_track wheelsets_settle \
             rolling_radius_difference equivalent_conicity",
     },
     Group {

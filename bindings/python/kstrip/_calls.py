@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import Any, Iterable, Optional
+from typing import Any, Callable, Iterable, Optional, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from ._inputs import Plain, Shape
 from ._library import dtypes, function_of
 from ._status import gravity, report
+
+#: Elements one after the other, and the distance of two in bytes
+Strided = tuple[Plain, int]
 
 
 def call(name: str, single: bool, *arguments: Any) -> None:
@@ -63,6 +66,35 @@ def each(name: str, single: bool, shape: Shape, *arguments: Any) -> None:
         status = function(*(a if begin is None else begin[0] + i * begin[1] for a, begin in zip(arguments, begins)))
         if status and worst.add(status, i):
             break
+    worst.report(shape)
+
+
+#: Elements of one call, between two states of the progress bar
+PART = 100
+
+
+def many(name: str, single: bool, shape: Shape, fixed: Iterable[Any], inputs: Iterable[Optional[Strided]], memory: Plain,
+         outputs: Iterable[Optional[Strided]], to: Sequence[Any] = (), after: Optional[Callable[[int, int], None]] = None) -> None:
+    """Calls a function that takes many elements, a part of them at a time.
+
+    fixed: addresses of what is one for all. inputs: arrays with the distance of their elements in bytes; None: NULL. outputs: the
+    same, without distance. to: more arguments. after: what is done with each part, from its first element and their number.
+    """
+    function, worst, count = function_of(name, single), Worst(), size_of(shape)
+    ins, outs = ([None if a is None else (a[0].ctypes.data, a[1]) for a in arrays] for arrays in (inputs, outputs))
+    statuses = np.zeros(PART, np.int32)
+    for part in progress(-(-count // PART), name.removeprefix("kstrip_"), PART):
+        first = part * PART
+        size = min(PART, count - first)
+        given = [word for a in ins for word in ((None, 0) if a is None else (a[0] + first * a[1], a[1]))]
+        places = [None if a is None else a[0] + first * a[1] for a in outs]
+        status = function(*fixed, size, *given, memory.ctypes.data, *places, *to, statuses.ctypes.data)
+        if status:
+            for i in np.flatnonzero(statuses[:size]):
+                if worst.add(int(statuses[i]), first + int(i)):
+                    worst.report(shape)
+        if after is not None:
+            after(first, size)
     worst.report(shape)
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._calls import Worst, call, out, progress, real, size_of
+from ._calls import PART, Strided, call, many, out, real, size_of
 from ._inputs import Model, Plain, Shape, broadcast, count_of, flat, floats, is_single, one, options, record, records
-from ._library import constants, dtypes, function_of
+from ._library import constants, dtypes
 from ._types import Friction, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
 
 
@@ -94,55 +94,21 @@ class WheelOnRail(NamedTuple):
 class _Wheels:
     """The inputs of many wheels: prepared profiles, and records that broadcast."""
 
-    def __init__(self, rail: Any, wheel: Any, law: Any, **given: Any):
+    def __init__(self, rail: Any, wheel: Any, law: Any, support: Any = None, **given: Any):
         self.single = is_single(rail, wheel, law, *given.values())
         self.profiles = one("surface", rail, self.single, "rail"), one("surface", wheel, self.single, "wheel")
-        self.law: Optional[Plain] = None if law is None else records("friction", law, self.single)
-        found: dict[str, Optional[Plain]] = {name: None if value is None else records(_KINDS[name], value, self.single)
-                                             for name, value in given.items() if name != "support"}
-        if "support" in given:
-            found["support"] = floats(given["support"], "support", self.single)
-        self.shape: Shape = broadcast(**found, friction=self.law)
-        self.count = size_of(self.shape)
-        flats = {name: None if value is None else flat(value, self.shape) for name, value in (found | {"friction": self.law}).items()}
-        self.kept = flats
+        kinds = {"friction": "friction", **{name: f"wheel_{name}" for name in given}}
+        found: dict[str, Optional[Plain]] = {name: None if value is None else records(kinds[name], value, self.single)
+                                             for name, value in (*given.items(), ("friction", law))}
+        found["support"] = None if support is None else floats(support, "support", self.single)
+        self.shape: Shape = broadcast(**found)
+        self.flats = {name: None if value is None else flat(value, self.shape) for name, value in found.items()}
         self.memory = np.zeros((), dtypes["wheel_workspace" + "_f32" * self.single])
 
-    def address(self, name: str) -> tuple[Optional[int], int]:
-        """Of the first element, and the distance to the next in bytes."""
-        kept = self.kept[name]
-        return (None, 0) if kept is None else (kept[0].ctypes.data, kept[1])
-
-
-_KINDS = {"pair": "wheel_pair", "position": "wheel_position", "velocity": "wheel_velocity"}
-
-
-def _of(address: tuple[Optional[int], int], i: int) -> Optional[int]:
-    return None if address[0] is None else address[0] + i * address[1]
-
-
-# Wheels of one call, between two states of the progress bar.
-_PART = 100
-
-
-def _without_contacts(wheels: _Wheels, *outputs: Any) -> None:
-    """Many wheels in one call."""
-    function, worst = function_of("kstrip_wheels_on_rails", wheels.single), Worst()
-    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
-    inputs = [wheels.address(name) for name in ("pair", "position", "velocity", "friction")]
-    begins = [None if array is None else (array[0].ctypes.data, array[1]) for array in outputs]
-    statuses = np.zeros(_PART, np.int32)
-    for part in progress(-(-wheels.count // _PART), "wheel_on_rail", _PART):
-        first = part * _PART
-        count = min(_PART, wheels.count - first)
-        each = [word for address in inputs for word in (_of(address, first), address[1])]
-        places = [None if place is None else place[0] + first * place[1] for place in begins]
-        function(*profiles, count, *each, wheels.memory.ctypes.data, *places, statuses.ctypes.data)
-        for i in np.flatnonzero(statuses[:count]):
-            if worst.add(int(statuses[i]), first + int(i)):
-                worst.report(wheels.shape)
-                return
-    worst.report(wheels.shape)
+    def call(self, name: str, inputs: Iterable[str], outputs: Iterable[Optional[Strided]], to: Sequence[Any] = (),
+             after: Optional[Callable[[int, int], None]] = None) -> None:
+        profiles = [profile.ctypes.data for profile in self.profiles]
+        many(name, self.single, self.shape, profiles, [self.flats[each] for each in inputs], self.memory, outputs, to, after)
 
 
 def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, velocity: WheelVelocity,
@@ -158,34 +124,34 @@ def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: Whee
     >>> wheels.wrench.force[..., 1]                     # lateral force on the wheel [N] at each shift
     """
     wheels = _Wheels(rail, wheel, friction, pair=pair, position=position, velocity=velocity)
-    single, count = wheels.single, wheels.count
-    wrench, slopes = out("wrench", wheels.shape, single), out("wrench_derivatives", wheels.shape, single)
-    moved = out("wrench_by_position", wheels.shape if by_position else (0,), single)
-    function, worst, memory = function_of("kstrip_wheel_on_rail", single), Worst(), wheels.memory
-    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
-    pairs, places, moves, laws = (wheels.address(name) for name in ("pair", "position", "velocity", "friction"))
-    room, first = memory.ctypes.data, (wrench[0].ctypes.data, slopes[0].ctypes.data, moved[0].ctypes.data)
-    # Strips that a contact does not use stay zero.
-    found: list[Plain] = []
-    fields: Any = memory.dtype.fields
-    used = np.frombuffer(memory, np.uint8)[fields["strips"][1] : fields["count"][1]]
-    if not contacts:
-        _without_contacts(wheels, wrench, slopes, moved if by_position else None)
-    for i in progress(count if contacts else 0, "wheel_on_rail"):
-        used[...] = 0
-        status = function(*profiles, _of(pairs, i), _of(places, i), _of(moves, i), _of(laws, i), room, first[0] + i * wrench[1],
-                          first[1] + i * slopes[1], first[2] + i * moved[1] if by_position else None)
-        if status and worst.add(status, i):
-            break
-        found.append(memory["contacts"][: int(memory["count"])].copy())
-    worst.report(wheels.shape)
-    most = max((len(each) for each in found), default=0)
-    together = np.zeros((count, most), memory.dtype["contacts"].base)
-    for i, each in enumerate(found):
-        together[i, : len(each)] = each
-    met = together.reshape((*wheels.shape, most)).view(WheelContact)
-    return WheelOnRail(wrench[0].reshape(wheels.shape).view(Wrench), slopes[0].reshape(wheels.shape).view(WrenchDerivatives),
-                       moved[0].reshape(wheels.shape).view(WrenchByPosition) if by_position else None, met)
+    single, shape = wheels.single, wheels.shape
+    wrench, slopes = out("wrench", shape, single), out("wrench_derivatives", shape, single)
+    moved = out("wrench_by_position", shape, single) if by_position else None
+    room = constants["KSTRIP_CONTACTS_CAPACITY"] if contacts else 0
+    of_contact = wheels.memory.dtype["contacts"].base
+    # (numpy copies memory faster than structures)
+    met: Plain = np.zeros((PART, room), np.dtype((np.void, of_contact.itemsize)))
+    kept = np.zeros((size_of(shape), 0), met.dtype)
+
+    def keep(first: int, size: int) -> None:
+        nonlocal kept
+        counts = wrench[0]["contacts"][first : first + size]
+        most = int(counts.max(initial=0))
+        if most > kept.shape[1]:
+            before, kept = kept, np.zeros((len(kept), most), met.dtype)
+            kept[:first, : before.shape[1]] = before[:first]
+        for number in range(most):
+            has = counts > number
+            if has.all():
+                kept[first : first + size, number] = met[:size, number]
+            else:
+                kept[first : first + size, number][has] = met[:size, number][has]
+
+    wheels.call("kstrip_wheels_on_rails", ("pair", "position", "velocity", "friction"), (wrench, slopes, moved),
+                (met.ctypes.data if contacts else None, room), keep if contacts else None)
+    return WheelOnRail(wrench[0].reshape(shape).view(Wrench), slopes[0].reshape(shape).view(WrenchDerivatives),
+                       None if moved is None else moved[0].reshape(shape).view(WrenchByPosition),
+                       kept.view(of_contact).reshape((*shape, kept.shape[1])).view(WheelContact))
 
 
 def height_for_load(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, support: ArrayLike,
@@ -197,18 +163,8 @@ def height_for_load(rail: Surface, wheel: Surface, pair: WheelPair, position: Wh
 
     >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
     """
-    wheels = _Wheels(rail, wheel, friction, pair=pair, position=position, support=support, velocity=velocity)
+    wheels = _Wheels(rail, wheel, friction, support, pair=pair, position=position, velocity=velocity)
     heights = real(wheels.shape, wheels.single)
-    supports = np.broadcast_to(floats(support, "support", wheels.single), wheels.shape).reshape(-1)
-    function, worst = function_of("kstrip_height_for_load", wheels.single), Worst()
-    profiles = tuple(profile.ctypes.data for profile in wheels.profiles)
-    pairs, places, moves, laws = (wheels.address(name) for name in ("pair", "position", "velocity", "friction"))
-    room, first = wheels.memory.ctypes.data, heights[0].ctypes.data
-    for i in progress(wheels.count, "height_for_load"):
-        status = function(*profiles, _of(pairs, i), _of(places, i), float(supports[i]), _of(moves, i), _of(laws, i), room,
-                          first + i * heights[1])
-        if status and worst.add(status, i):
-            break
-    worst.report(wheels.shape)
+    wheels.call("kstrip_heights_for_loads", ("pair", "position", "support", "velocity", "friction"), (heights,))
     found: NDArray[np.float64] = heights[0].reshape(wheels.shape)[()]
     return found

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._calls import Worst, call, out, progress, real, size_of
+from ._calls import call, many, out, real
 from ._inputs import Plain, broadcast, count_of, flat, floats, is_single, one, record, records
-from ._library import dtypes, function_of
+from ._library import dtypes
 from ._types import (
     Curve,
     Friction,
@@ -131,21 +131,13 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: WheelPosition,
     single = _precision(wheelset, track)
     places, moves = records("wheel_position", position, single), records("wheel_velocity", velocity, single)
     shape = broadcast(position=places, velocity=moves)
-    first, second = flat(places, shape), flat(moves, shape)
     forces, slopes = out("wheelset_forces", shape, single), out("wheelset_derivatives", shape, single)
-    moved = out("wheelset_by_position", shape if by_position else (0,), single)
+    moved = out("wheelset_by_position", shape, single) if by_position else None
     memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
-    function, worst = function_of("kstrip_wheelset_on_track", single), Worst()
-    fixed = wheelset.structure.ctypes.data, track.structure.ctypes.data, memory.ctypes.data
-    begins = [(array.ctypes.data, distance) for array, distance in (first, second, forces, slopes, moved)]
-    for i in progress(size_of(shape), "wheelset_on_track"):
-        at = [begin + i * distance for begin, distance in begins]
-        status = function(fixed[0], fixed[1], at[0], at[1], fixed[2], at[2], at[3], at[4] if by_position else None)
-        if status and worst.add(status, i):
-            break
-    worst.report(shape)
+    many("kstrip_wheelsets_on_track", single, shape, (wheelset.structure.ctypes.data, track.structure.ctypes.data),
+         (flat(places, shape), flat(moves, shape)), memory, (forces, slopes, moved))
     return WheelsetOnTrack(forces[0].reshape(shape).view(WheelsetForces), slopes[0].reshape(shape).view(WheelsetDerivatives),
-                           moved[0].reshape(shape).view(WheelsetByPosition) if by_position else None)
+                           None if moved is None else moved[0].reshape(shape).view(WheelsetByPosition))
 
 
 class Settled(NamedTuple):
@@ -171,16 +163,8 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: WheelPosition, velo
     shape = broadcast(start=places, velocity=moves, loads=loads)
     position, rates, forces = (out(name, shape, single) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
     memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
-    function, worst = function_of("kstrip_wheelset_settle", single), Worst()
-    fixed = wheelset.structure.ctypes.data, track.structure.ctypes.data, memory.ctypes.data
-    inputs = [flat(places, shape), flat(moves, shape), flat(loads, shape)]
-    begins = [(array.ctypes.data, distance) for array, distance in (*inputs, position, rates, forces)]
-    for i in progress(size_of(shape), "wheelset_settle"):
-        at = [begin + i * distance for begin, distance in begins]
-        status = function(fixed[0], fixed[1], *at[:3], fixed[2], *at[3:])
-        if status and worst.add(status, i):
-            break
-    worst.report(shape)
+    many("kstrip_wheelsets_settle", single, shape, (wheelset.structure.ctypes.data, track.structure.ctypes.data),
+         (flat(places, shape), flat(moves, shape), flat(loads, shape)), memory, (position, rates, forces))
     return Settled(position[0].reshape(shape).view(WheelPosition), rates[0].reshape(shape).view(WheelVelocity),
                    forces[0].reshape(shape).view(WheelsetForces))
 

@@ -341,6 +341,34 @@ class WheelOnRail(unittest.TestCase):
         slope = (sides[1] - sides[0]) / 2e-6
         self.assertAlmostEqual(float(found.by_position["vertical"][2]) / slope, 1.0, delta=1e-3)
 
+    def test_many_wheels_are_single_ones(self):
+        # more than one call takes; a yawed wheel has two contacts at some of these positions
+        place = kstrip.wheel_position(lateral=np.linspace(-5.3e-3, -4.7e-3, 150).reshape(3, 50), yaw=0.04)
+        loads = np.linspace(140e3, 150e3, 50)
+        place.vertical = kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place, loads)
+        many = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, self.VELOCITY, by_position=True)
+        most = int(many.wrench["contacts"].max())
+        self.assertEqual((many.contacts.shape, int(many.wrench["contacts"].min())), ((3, 50, most), 1))
+        self.assertGreater(most, 1)
+        without = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, self.VELOCITY, contacts=False)
+        self.assertEqual((without.wrench.tobytes(), without.contacts.shape), (many.wrench.tobytes(), (3, 50, 0)))
+        for at in np.ndindex(3, 50):
+            one = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place[at], self.VELOCITY, by_position=True)
+            self.assertEqual(many.wrench[at].tobytes(), one.wrench.tobytes())
+            self.assertEqual(many.derivatives[at].tobytes(), one.derivatives.tobytes())
+            self.assertEqual(many.by_position[at].tobytes(), one.by_position.tobytes())
+            count = len(one.contacts)
+            self.assertEqual(many.contacts[at][:count].tobytes(), one.contacts.tobytes())
+            self.assertFalse(np.asarray(many.contacts[at][count:].normal_force).any())
+            height = kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), kstrip.wheel_position(lateral=place[at].lateral, yaw=0.04), loads[at[1]])
+            self.assertEqual(float(height), float(place[at].vertical))
+
+    def test_the_first_bad_wheel_of_many_is_named(self):
+        place = kstrip.wheel_position(lateral=np.zeros((2, 150)))
+        place.lateral[1, 120] = 0.5
+        with self.assertRaisesRegex(kstrip.KstripError, r"\(1, 120\)"):
+            kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, self.VELOCITY)
+
     def test_left_wheel_is_the_mirror_image(self):
         right, left = scene.forces(2e-3), scene.forces(-2e-3, left=True)
         mirrored = np.array([1.0, -1.0, 1.0]) * left.wrench["force"]

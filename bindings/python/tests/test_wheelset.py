@@ -30,6 +30,17 @@ class OnTrack(unittest.TestCase):
         self.assertIsNone(again.by_position)
         self.assertEqual(again.derivatives.velocity.shape, (5, 10, 10))
 
+    def test_many_wheelsets_are_single_ones(self):
+        starts, loads = kstrip.wheel_position(lateral=np.linspace(0.0, 4e-3, 3)), np.array([[120e3], [160e3]])
+        still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, loads)
+        found = kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity, by_position=True)
+        for at in np.ndindex(2, 3):
+            one = kstrip.wheelset_settle(WHEELSET, TRACK, starts[at[1]], ROLLING, loads[at[0], 0])
+            self.assertEqual(still.position[at].tobytes() + still.forces[at].tobytes(), one.position.tobytes() + one.forces.tobytes())
+            single = kstrip.wheelset_on_track(WHEELSET, TRACK, one.position, one.velocity, by_position=True)
+            for many, alone in zip(found, single):
+                self.assertEqual(many[at].tobytes(), alone.tobytes())
+
     def test_derivatives_are_those_of_differences(self):
         still = kstrip.wheelset_settle(WHEELSET, TRACK, kstrip.wheel_position(lateral=1e-3), ROLLING, 160e3)
         found = kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity, by_position=True)

@@ -4,6 +4,7 @@
 mod batch;
 mod bodies;
 mod inside;
+mod many;
 mod motion;
 mod patch;
 mod rig;
@@ -15,6 +16,7 @@ use super::F;
 pub use batch::*;
 pub use bodies::*;
 pub use inside::*;
+pub use many::*;
 pub use motion::*;
 pub use patch::*;
 pub use rig::*;

@@ -1,7 +1,6 @@
 //! Wheel on rail: from two profiles and a position to the forces on the wheel.
 
 use super::F;
-use crate::ffi::batch::{is_aligned, read};
 use crate::ffi::support::*;
 use crate::ffi::wheel_rail::*;
 
@@ -231,100 +230,6 @@ pub extern "C" fn kstrip_wheel_on_rail(
     })
 }
 
-/// kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
-/// For sweeps and tables; several threads may each compute a part, with a workspace of their own.
-///
-/// Pairs, positions, velocities and friction are arrays, in which the next element is a stride
-/// away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
-/// the others: its status says why, and its other outputs are untouched.
-///
-/// @param rail, wheel     prepared profiles.
-/// @param count           number of wheels; 0 is allowed.
-/// @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
-///                            [bytes], a multiple of the alignment.
-/// @param positions, position_stride  where they are.
-/// @param velocities, velocity_stride  how they move.
-/// @param friction, friction_stride  friction that falls with the slip; NULL: constant.
-/// @param workspace       memory that may hold anything; receives gap and contacts of the last.
-/// @param[out] wrenches   array of count elements; receives force and moment.
-/// @param[out] derivatives  array of count elements; receives their derivatives with respect to
-///                          velocity and friction; NULL: not needed.
-/// @param[out] by_position  array of count elements; receives those with respect to position; NULL:
-///                          not needed.
-/// @param[out] statuses   array of count elements; receives the status of each wheel: that of
-///                        kstrip_wheel_on_rail().
-/// @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, without a status of any wheel.
-#[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
-pub unsafe extern "C" fn kstrip_wheels_on_rails(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
-    count: u32,
-    pairs: *const WheelPair<F>,
-    pair_stride: u32,
-    positions: *const Position<F>,
-    position_stride: u32,
-    velocities: *const Velocity<F>,
-    velocity_stride: u32,
-    friction: *const SlipFriction<F>,
-    friction_stride: u32,
-    workspace: Option<&mut Workspace<F>>,
-    wrenches: *mut Wrench<F>,
-    derivatives: *mut WrenchDerivatives<F>,
-    by_position: *mut WrenchByPosition<F>,
-    statuses: *mut kstrip_status,
-) -> kstrip_status {
-    let (mut first_bad, mut worst) = (0, Warning::None);
-    let checked = answer(|| {
-        let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
-        let inputs = !(pairs.is_null() || positions.is_null() || velocities.is_null());
-        let outputs = !(wrenches.is_null() || statuses.is_null());
-        Error::NullPointer.unless(count == 0 || (inputs && outputs))?;
-        let [pair_stride, position_stride, velocity_stride, friction_stride] =
-            [pair_stride, position_stride, velocity_stride, friction_stride]
-                .map(|stride| stride as isize);
-        let fit = is_aligned(pairs, pair_stride)
-            && is_aligned(positions, position_stride)
-            && is_aligned(velocities, velocity_stride)
-            && is_aligned(friction, friction_stride);
-        Error::Stride.unless(count <= 1 || fit)?;
-        for i in 0..count as usize {
-            // SAFETY: required arrays are not NULL and all are valid for count elements at their
-            // distances, says the header.
-            let status = unsafe {
-                let (pair, position, velocity) = (
-                    read(pairs, pair_stride, i),
-                    read(positions, position_stride, i),
-                    read(velocities, velocity_stride, i),
-                );
-                let law = (!friction.is_null()).then(|| read(friction, friction_stride, i));
-                let status = kstrip_wheel_on_rail(
-                    Some(rail),
-                    Some(wheel),
-                    Some(&pair),
-                    Some(&position),
-                    Some(&velocity),
-                    law.as_ref(),
-                    Some(memory),
-                    place(wrenches.wrapping_add(i)),
-                    (!derivatives.is_null()).then(|| place(derivatives.wrapping_add(i))).flatten(),
-                    (!by_position.is_null()).then(|| place(by_position.wrapping_add(i))).flatten(),
-                );
-                statuses.wrapping_add(i).write(status);
-                status
-            };
-            if status < 0 {
-                first_bad = if first_bad < 0 { first_bad } else { status };
-            } else {
-                // SAFETY: the wrench has been written.
-                worst = worst.worse(unsafe { (*wrenches.wrapping_add(i)).warning });
-            }
-        }
-        Ok(worst)
-    });
-    if checked < 0 || first_bad == 0 { checked } else { first_bad }
-}
-
 /// The vertical position at which the rail supports a wheel with a given force. Use it to begin a
 /// run, and for tables. The search tries about ten positions, and 100 at
 /// most, and finds the highest.
@@ -334,7 +239,7 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
 /// @param support         requested upward force of the rail on the wheel [N], > 0.
 /// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
 ///                        pressure carries all of it.
-/// @param friction        as in kstrip_wheel_on_rail().
+/// @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].
 /// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support

@@ -249,7 +249,9 @@ fn wheels_on_rails(bytes: &mut Bytes) {
     let mut outs: [_; 3] = std::array::from_fn(|_| poisoned::<kstrip_wrench>());
     let mut statuses = [77; 3];
     let stride = size_of::<kstrip_wheel_position>() as u32;
-    // SAFETY: NULL, or one element, or three.
+    let mut met = zeroed::<[kstrip_wheel_contact; 6]>();
+    let room = if bytes.byte() < 16 { 7 } else { 2 };
+    // SAFETY: NULL, or one element, or three; and two contacts for each.
     let status = unsafe {
         kstrip_wheels_on_rails(
             given.input(0, &scene.rail),
@@ -267,6 +269,8 @@ fn wheels_on_rails(bytes: &mut Bytes) {
             outs.as_mut_ptr().cast(),
             std::ptr::null_mut(),
             std::ptr::null_mut(),
+            met.as_mut_ptr(),
+            room,
             statuses.as_mut_ptr(),
         )
     };
@@ -274,7 +278,7 @@ fn wheels_on_rails(bytes: &mut Bytes) {
         assert!(status < 0 && outs.iter().all(untouched));
         return;
     }
-    for ((place, out), own) in places.iter().zip(&outs).zip(statuses) {
+    for (i, ((place, out), own)) in places.iter().zip(&outs).zip(statuses).enumerate() {
         let mut single = poisoned::<kstrip_wrench>();
         let expected = kstrip_wheel_on_rail(
             Some(&scene.rail),
@@ -293,6 +297,11 @@ fn wheels_on_rails(bytes: &mut Bytes) {
             assert!(untouched(out));
         } else {
             assert_eq!(written(out), written(&single));
+            let count = (memory.count as usize).min(2);
+            let loads = |contacts: &[kstrip_wheel_contact]| -> Vec<Float> {
+                contacts[..count].iter().map(|contact| contact.normal_force).collect()
+            };
+            assert_eq!(loads(&met[2 * i..]), loads(&memory.contacts));
         }
     }
     let bad = statuses.into_iter().find(|status| *status < 0);
@@ -342,6 +351,63 @@ fn height_for_load(bytes: &mut Bytes) {
     if answered(status, untouched(&out)) {
         assert!(written(&out).is_finite());
     }
+}
+
+/// Two heights: those of single calls.
+fn heights_for_loads(bytes: &mut Bytes) {
+    let (scene, given) = (Scene::new(bytes), bytes.given());
+    let supports: [Float; 2] = std::array::from_fn(|_| Number::of(bytes, 1e4));
+    let mut memory = zeroed::<kstrip_wheel_workspace>();
+    let mut outs: [_; 2] = std::array::from_fn(|_| poisoned::<Float>());
+    let mut statuses = [77; 2];
+    let velocity = (bytes.byte() < 64).then_some(&scene.velocity);
+    // SAFETY: NULL, or one element, or two.
+    let status = unsafe {
+        kstrip_heights_for_loads(
+            given.input(0, &scene.rail),
+            given.input(1, &scene.wheel),
+            2,
+            &raw const scene.pair,
+            0,
+            &raw const scene.position,
+            0,
+            given.array(2, &supports),
+            size_of::<Float>() as u32 + u32::from(bytes.byte() < 16),
+            velocity.map_or(std::ptr::null(), std::ptr::from_ref),
+            0,
+            std::ptr::null(),
+            0,
+            given.has(3).then_some(&mut memory),
+            outs.as_mut_ptr().cast(),
+            statuses.as_mut_ptr(),
+        )
+    };
+    if statuses == [77; 2] {
+        assert!(status < 0 && outs.iter().all(untouched));
+        return;
+    }
+    for ((&support, out), own) in supports.iter().zip(&outs).zip(statuses) {
+        let mut single = poisoned::<Float>();
+        let expected = kstrip_height_for_load(
+            Some(&scene.rail),
+            Some(&scene.wheel),
+            Some(&scene.pair),
+            Some(&scene.position),
+            support,
+            velocity,
+            None,
+            Some(&mut memory),
+            Some(&mut single),
+        );
+        assert_eq!(own, expected);
+        if own < 0 {
+            assert!(untouched(out));
+        } else {
+            assert_eq!(written(out), written(&single));
+        }
+    }
+    let bad = statuses.into_iter().find(|status| *status < 0);
+    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
 }
 
 /// A wheelset and its track from a scene, with some members changed.
@@ -470,6 +536,124 @@ fn wheelset_settle(bytes: &mut Bytes) {
     }
 }
 
+/// Two positions of a wheelset: the forces of single calls.
+fn wheelsets_on_track(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let ((set, track), given) = (wheelset(bytes, &scene), bytes.given());
+    let places = [scene.position, kstrip_wheel_position { lateral: 0.0, ..scene.position }];
+    let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    let mut outs: [_; 2] = std::array::from_fn(|_| poisoned::<kstrip_wheelset_forces>());
+    let mut statuses = [77; 2];
+    // SAFETY: the pointers in the structures are NULL or valid, arrays NULL or of two elements.
+    let status = unsafe {
+        kstrip_wheelsets_on_track(
+            given.input(0, &set),
+            given.input(1, &track),
+            2,
+            given.array(2, &places),
+            size_of::<kstrip_wheel_position>() as u32 + u32::from(bytes.byte() < 16),
+            &raw const scene.velocity,
+            0,
+            given.has(3).then_some(&mut memory),
+            outs.as_mut_ptr().cast(),
+            std::ptr::null_mut(),
+            std::ptr::null_mut(),
+            statuses.as_mut_ptr(),
+        )
+    };
+    if statuses == [77; 2] {
+        assert!(status < 0 && outs.iter().all(untouched));
+        return;
+    }
+    for ((place, out), own) in places.iter().zip(&outs).zip(statuses) {
+        let mut single = poisoned::<kstrip_wheelset_forces>();
+        // SAFETY: the pointers in the structures are NULL or valid.
+        let expected = unsafe {
+            kstrip_wheelset_on_track(
+                Some(&set),
+                Some(&track),
+                Some(place),
+                Some(&scene.velocity),
+                Some(&mut memory),
+                Some(&mut single),
+                None,
+                None,
+            )
+        };
+        assert_eq!(own, expected);
+        if own < 0 {
+            assert!(untouched(out));
+        } else {
+            assert_eq!(written(out).wrench, written(&single).wrench);
+        }
+    }
+    let bad = statuses.into_iter().find(|status| *status < 0);
+    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+}
+
+/// Two balances of a wheelset: those of single calls.
+fn wheelsets_settle(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let ((set, track), given) = (wheelset(bytes, &scene), bytes.given());
+    let loads: [kstrip_wheelset_loads; 2] = std::array::from_fn(|_| {
+        let vertical: Float = Number::of(bytes, 1e4);
+        kstrip_wheelset_loads { vertical: vertical.abs(), roll: 0.0, pitch: 0.0 }
+    });
+    let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    let mut outs: [_; 2] = std::array::from_fn(|_| poisoned::<kstrip_wheel_position>());
+    let mut moves: [_; 2] = std::array::from_fn(|_| poisoned::<kstrip_wheel_velocity>());
+    let mut statuses = [77; 2];
+    // SAFETY: the pointers in the structures are NULL or valid, arrays NULL or of two elements.
+    let status = unsafe {
+        kstrip_wheelsets_settle(
+            given.input(0, &set),
+            given.input(1, &track),
+            2,
+            &raw const scene.position,
+            0,
+            &raw const scene.velocity,
+            0,
+            given.array(2, &loads),
+            size_of::<kstrip_wheelset_loads>() as u32 + u32::from(bytes.byte() < 16),
+            given.has(3).then_some(&mut memory),
+            outs.as_mut_ptr().cast(),
+            moves.as_mut_ptr().cast(),
+            std::ptr::null_mut(),
+            statuses.as_mut_ptr(),
+        )
+    };
+    if statuses == [77; 2] {
+        assert!(status < 0 && outs.iter().all(untouched) && moves.iter().all(untouched));
+        return;
+    }
+    for (((load, out), own), moved) in loads.iter().zip(&outs).zip(statuses).zip(&moves) {
+        let (mut single, mut turning) = (poisoned(), poisoned());
+        // SAFETY: the pointers in the structures are NULL or valid.
+        let expected = unsafe {
+            kstrip_wheelset_settle(
+                Some(&set),
+                Some(&track),
+                Some(&scene.position),
+                Some(&scene.velocity),
+                Some(load),
+                Some(&mut memory),
+                Some(&mut single),
+                Some(&mut turning),
+                None,
+            )
+        };
+        assert_eq!(own, expected);
+        if own < 0 {
+            assert!(untouched(out) && untouched(moved));
+        } else {
+            assert_eq!(written(out), written(&single));
+            assert_eq!(written(moved), written(&turning));
+        }
+    }
+    let bad = statuses.into_iter().find(|status| *status < 0);
+    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+}
+
 fn rolling_radius_difference(bytes: &mut Bytes) {
     let scene = Scene::new(bytes);
     let (set, track) = wheelset(bytes, &scene);
@@ -537,10 +721,13 @@ pub const ENTRIES: &[Entry] = &[
     ("wheel_on_rail", wheel_on_rail),
     ("wheels_on_rails", wheels_on_rails),
     ("height_for_load", height_for_load),
+    ("heights_for_loads", heights_for_loads),
     ("gauge_face", gauge_face),
     ("curve_motion", curve_motion),
     ("wheelset_on_track", wheelset_on_track),
     ("wheelset_settle", wheelset_settle),
+    ("wheelsets_on_track", wheelsets_on_track),
+    ("wheelsets_settle", wheelsets_settle),
     ("rolling_radius_difference", rolling_radius_difference),
     ("equivalent_conicity", equivalent_conicity),
 ];

@@ -1,0 +1,260 @@
+//! Many wheels and many wheelsets in one call, for sweeps and tables.
+
+use super::F;
+use super::{
+    kstrip_height_for_load, kstrip_wheel_on_rail, kstrip_wheelset_on_track, kstrip_wheelset_settle,
+};
+use crate::ffi::support::*;
+
+/// kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
+/// Several threads may each compute a part, with a workspace of their own.
+///
+/// Pairs, positions, velocities and friction are arrays, in which the next element is a stride
+/// away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
+/// the others: its status says why, and its other outputs are untouched.
+///
+/// @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
+/// @param count           number of wheels; 0 is allowed.
+/// @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
+///                            [bytes], a multiple of the alignment.
+/// @param positions, position_stride  where they are.
+/// @param velocities, velocity_stride  how they move.
+/// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+/// @param[out] wrenches   array of count elements; receives force and moment.
+/// @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
+///                        NULL: not needed.
+/// @param[out] contacts   array of count times room elements; receives the first contacts of each
+///                        wheel, their unused strips zero; NULL: not needed.
+/// @param room            contacts of each wheel for which there is room, at most
+///                        KSTRIP_CONTACTS_CAPACITY.
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail().
+/// @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
+///         of any wheel.
+#[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
+pub unsafe extern "C" fn kstrip_wheels_on_rails(
+    rail: Option<&Surface<F>>,
+    wheel: Option<&Surface<F>>,
+    count: u32,
+    pairs: *const WheelPair<F>,
+    pair_stride: u32,
+    positions: *const Position<F>,
+    position_stride: u32,
+    velocities: *const Velocity<F>,
+    velocity_stride: u32,
+    friction: *const SlipFriction<F>,
+    friction_stride: u32,
+    workspace: Option<&mut Workspace<F>>,
+    wrenches: *mut Wrench<F>,
+    derivatives: *mut WrenchDerivatives<F>,
+    by_position: *mut WrenchByPosition<F>,
+    contacts: *mut WheelContact<F>,
+    room: u32,
+    statuses: *mut kstrip_status,
+) -> kstrip_status {
+    answer(|| {
+        let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
+        let pairs = Strided::required(pairs, pair_stride, count)?;
+        let positions = Strided::required(positions, position_stride, count)?;
+        let velocities = Strided::required(velocities, velocity_stride, count)?;
+        let friction = Strided::new(friction, friction_stride, count)?;
+        Error::NullPointer.unless(count == 0 || !wrenches.is_null())?;
+        let room = room as usize;
+        Error::Capacity.unless(contacts.is_null() || room <= KSTRIP_CONTACTS_CAPACITY)?;
+        // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
+        let one = |i| unsafe {
+            let (pair, position) = (pairs.at(i), positions.at(i));
+            let (velocity, law) = (velocities.at(i), friction.at(i));
+            let status = kstrip_wheel_on_rail(
+                Some(rail),
+                Some(wheel),
+                pair.as_ref(),
+                position.as_ref(),
+                velocity.as_ref(),
+                law.as_ref(),
+                Some(memory),
+                element(wrenches, i),
+                element(derivatives, i),
+                element(by_position, i),
+            );
+            if status >= 0 && !contacts.is_null() {
+                let first = contacts.wrapping_add(i.wrapping_mul(room));
+                let found = memory.contacts.iter_mut().take(room.min(memory.count as usize));
+                for (k, contact) in found.enumerate() {
+                    clear_unused(contact);
+                    first.wrapping_add(k).copy_from_nonoverlapping(contact, 1);
+                }
+            }
+            status
+        };
+        // SAFETY: the same.
+        unsafe { each(count, statuses, one) }
+    })
+}
+
+/// Strips that a contact does not use become zero.
+fn clear_unused(contact: &mut WheelContact<F>) {
+    let WheelContact { patch, strip_y, strip_z, strip_angle, .. } = contact;
+    let used = patch.count as usize;
+    patch.strips.iter_mut().skip(used).for_each(|strip| *strip = PatchStrip::default());
+    for list in [strip_y, strip_z, strip_angle] {
+        list.iter_mut().skip(used).for_each(|place| *place = 0.0);
+    }
+}
+
+/// kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
+///
+/// @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
+///        search begins at the vertical member of its position.
+/// @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0.
+/// @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
+/// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+/// @param[out] verticals  array of count elements; receives the vertical positions [m].
+/// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load().
+/// @return as kstrip_wheels_on_rails().
+#[unsafe(export_name = symbol!("kstrip_heights_for_loads"))]
+pub unsafe extern "C" fn kstrip_heights_for_loads(
+    rail: Option<&Surface<F>>,
+    wheel: Option<&Surface<F>>,
+    count: u32,
+    pairs: *const WheelPair<F>,
+    pair_stride: u32,
+    positions: *const Position<F>,
+    position_stride: u32,
+    supports: *const F,
+    support_stride: u32,
+    velocities: *const Velocity<F>,
+    velocity_stride: u32,
+    friction: *const SlipFriction<F>,
+    friction_stride: u32,
+    workspace: Option<&mut Workspace<F>>,
+    verticals: *mut F,
+    statuses: *mut kstrip_status,
+) -> kstrip_status {
+    answer(|| {
+        let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
+        let pairs = Strided::required(pairs, pair_stride, count)?;
+        let positions = Strided::required(positions, position_stride, count)?;
+        let supports = Strided::required(supports, support_stride, count)?;
+        let velocities = Strided::new(velocities, velocity_stride, count)?;
+        let friction = Strided::new(friction, friction_stride, count)?;
+        Error::NullPointer.unless(count == 0 || !verticals.is_null())?;
+        // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
+        let one = |i| unsafe {
+            kstrip_height_for_load(
+                Some(rail),
+                Some(wheel),
+                pairs.at(i).as_ref(),
+                positions.at(i).as_ref(),
+                supports.at(i).unwrap_or(0.0),
+                velocities.at(i).as_ref(),
+                friction.at(i).as_ref(),
+                Some(memory),
+                element(verticals, i),
+            )
+        };
+        // SAFETY: the same.
+        unsafe { each(count, statuses, one) }
+    })
+}
+
+/// kstrip_wheelset_on_track() for many positions and velocities: the same results, bit for bit.
+///
+/// @param set, track, workspace  as in kstrip_wheelset_on_track().
+/// @param count           number of positions; 0 is allowed.
+/// @param positions, velocities  where the wheelset is and how it moves, with their strides as in
+///                        kstrip_wheels_on_rails().
+/// @param[out] forces     array of count elements; receives the forces.
+/// @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track().
+/// @return as kstrip_wheels_on_rails().
+#[unsafe(export_name = symbol!("kstrip_wheelsets_on_track"))]
+pub unsafe extern "C" fn kstrip_wheelsets_on_track(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    count: u32,
+    positions: *const Position<F>,
+    position_stride: u32,
+    velocities: *const Velocity<F>,
+    velocity_stride: u32,
+    workspace: Option<&mut WheelsetWorkspace<F>>,
+    forces: *mut WheelsetForces<F>,
+    derivatives: *mut WheelsetDerivatives<F>,
+    by_position: *mut WheelsetByPosition<F>,
+    statuses: *mut kstrip_status,
+) -> kstrip_status {
+    answer(|| {
+        let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);
+        let positions = Strided::required(positions, position_stride, count)?;
+        let velocities = Strided::required(velocities, velocity_stride, count)?;
+        Error::NullPointer.unless(count == 0 || !forces.is_null())?;
+        // SAFETY: arrays are NULL or valid for count elements at their distances, and the pointers
+        // in the structures are NULL or valid, says the header.
+        let one = |i| unsafe {
+            kstrip_wheelset_on_track(
+                Some(set),
+                Some(track),
+                positions.at(i).as_ref(),
+                velocities.at(i).as_ref(),
+                Some(memory),
+                element(forces, i),
+                element(derivatives, i),
+                element(by_position, i),
+            )
+        };
+        // SAFETY: the same.
+        unsafe { each(count, statuses, one) }
+    })
+}
+
+/// kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
+///
+/// @param set, track, count, workspace  as in kstrip_wheelsets_on_track().
+/// @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
+/// @param[out] positions, moves  arrays of count elements.
+/// @param[out] forces     array of count elements; NULL: not needed.
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle().
+/// @return as kstrip_wheels_on_rails().
+#[unsafe(export_name = symbol!("kstrip_wheelsets_settle"))]
+pub unsafe extern "C" fn kstrip_wheelsets_settle(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    count: u32,
+    starts: *const Position<F>,
+    start_stride: u32,
+    velocities: *const Velocity<F>,
+    velocity_stride: u32,
+    loads: *const WheelsetLoads<F>,
+    load_stride: u32,
+    workspace: Option<&mut WheelsetWorkspace<F>>,
+    positions: *mut Position<F>,
+    moves: *mut Velocity<F>,
+    forces: *mut WheelsetForces<F>,
+    statuses: *mut kstrip_status,
+) -> kstrip_status {
+    answer(|| {
+        let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);
+        let starts = Strided::required(starts, start_stride, count)?;
+        let velocities = Strided::required(velocities, velocity_stride, count)?;
+        let loads = Strided::required(loads, load_stride, count)?;
+        let outputs = !(positions.is_null() || moves.is_null());
+        Error::NullPointer.unless(count == 0 || outputs)?;
+        // SAFETY: arrays are NULL or valid for count elements at their distances, and the pointers
+        // in the structures are NULL or valid, says the header.
+        let one = |i| unsafe {
+            kstrip_wheelset_settle(
+                Some(set),
+                Some(track),
+                starts.at(i).as_ref(),
+                velocities.at(i).as_ref(),
+                loads.at(i).as_ref(),
+                Some(memory),
+                element(positions, i),
+                element(moves, i),
+                element(forces, i),
+            )
+        };
+        // SAFETY: the same.
+        unsafe { each(count, statuses, one) }
+    })
+}
