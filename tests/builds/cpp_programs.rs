@@ -175,18 +175,23 @@ fn every_function_has_both_forms() {
     }
 }
 
-/// A wheelset on real profiles runs back to the middle of the track, in at most 60 lines.
-#[test]
-fn wheelset_runs_back_to_the_middle() {
-    let source = root().join("cpp_examples/02_wheelset.cpp");
+/// What an example of at most 60 lines prints; `None` without a compiler.
+fn short_example(name: &str) -> Option<String> {
+    let source = root().join("cpp_examples").join(name);
     let lines = std::fs::read_to_string(&source).expect("the example").lines().count();
     assert!(lines <= 60, "{lines}");
     // (they look for profiles from the root, where cargo runs tests)
-    let Some(compiler) = cpp_compilers().into_iter().next() else {
-        say("SKIPPED: the wheelset in C++, because there is no C++ compiler");
-        return;
-    };
-    let printed = run_cpp(compiler, "c++17", &source);
+    let compiler = cpp_compilers().into_iter().next();
+    if compiler.is_none() {
+        say("SKIPPED: the wheelsets in C++, because there is no C++ compiler");
+    }
+    compiler.map(|compiler| run_cpp(compiler, "c++17", &source))
+}
+
+/// A wheelset on real profiles runs back to the middle of the track.
+#[test]
+fn wheelset_runs_back_to_the_middle() {
+    let Some(printed) = short_example("02_wheelset.cpp") else { return };
     let motion = numbers(&printed, "0.");
     let shifts: Vec<f64> = motion.iter().map(|row| row[1]).collect();
     assert_eq!((shifts.len(), shifts[0]), (9, 3.0), "{printed}");
@@ -194,6 +199,24 @@ fn wheelset_runs_back_to_the_middle() {
     // oscillate on its spring at 37 rad/s.
     assert!(motion[1][2] < -1.0 && shifts.iter().any(|shift| *shift < -0.5), "{printed}");
     assert!(shifts[7].abs() < 0.3 && shifts[8].abs() < 0.3, "{printed}");
+}
+
+/// A bogie of two wheelsets and a frame does the same.
+#[test]
+fn bogie_runs_back_to_the_middle() {
+    let Some(printed) = short_example("03_bogie.cpp") else { return };
+    let motion = numbers(&printed, "0.");
+    assert_eq!((motion.len(), &motion[0][1..4]), (9, &[4.0; 3][..]), "{printed}");
+    for part in 1..4 {
+        let shifts: Vec<f64> = motion.iter().map(|row| row[part]).collect();
+        // a damped oscillation: to the other side, and less each time
+        let least = shifts.iter().copied().fold(0.0, f64::min);
+        let later = shifts[4..].iter().map(|shift| shift.abs()).fold(0.0, f64::max);
+        assert!(least < -1.0 && least > -4.0 && later < 2.0, "{printed}");
+        assert!(shifts[8].abs() < 1.0, "{printed}");
+    }
+    // The front wheelset leads into the motion, which the frame follows.
+    assert!(motion[1][1] < motion[1][3] && motion[1][3] < motion[1][2], "{printed}");
 }
 
 /// A spin without its unit, another unit, another precision: one error that says so.
