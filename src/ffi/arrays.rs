@@ -1,6 +1,5 @@
 //! C arrays as slices.
 
-use super::batch::{is_aligned, read};
 use super::constants::kstrip_status;
 use crate::status::{Error, Warning};
 use core::mem::MaybeUninit;
@@ -59,6 +58,18 @@ pub(super) unsafe fn place<'a, T>(pointer: *mut T) -> Option<&'a mut MaybeUninit
 pub(super) unsafe fn element<'a, T>(first: *mut T, i: usize) -> Option<&'a mut MaybeUninit<T>> {
     // SAFETY: the caller's promise.
     (!first.is_null()).then(|| unsafe { place(first.wrapping_add(i)) }).flatten()
+}
+
+/// # Safety
+/// `first` is valid for reading at this index.
+pub(super) unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
+    // SAFETY: the caller's promise.
+    unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).read() }
+}
+
+/// Whether elements at this distance are aligned, if the first one is.
+pub(super) const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
+    stride % align_of::<T>() as isize == 0
 }
 
 /// An input array in which the next element is a stride away; `None` in place of each element if it

@@ -12,24 +12,12 @@ pub(super) struct Batch<'a, F: Float> {
 }
 
 /// # Safety
-/// `first` is valid for reading at this index.
-pub(super) unsafe fn read<T: Copy>(first: *const T, stride: isize, i: usize) -> T {
-    // SAFETY: the caller's promise.
-    unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).read() }
-}
-
-/// # Safety
 /// `first` is NULL, or valid for writing at this index.
 unsafe fn write<T>(first: *mut T, stride: isize, i: usize, value: T) {
     if !first.is_null() {
         // SAFETY: the caller's promise.
         unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).write(value) };
     }
-}
-
-/// Whether elements at this distance are aligned, if the first one is.
-pub(super) const fn is_aligned<T>(_: *const T, stride: isize) -> bool {
-    stride % align_of::<T>() as isize == 0
 }
 
 /// Whether outputs at this distance do not overlap, if they are requested.

@@ -1,6 +1,6 @@
 //! Shared helpers of the exported functions, and the names that these use.
 
-pub(super) use super::arrays::{Strided, each, element, input, output, place};
+pub(super) use super::arrays::{Strided, each, element, input, is_aligned, output, place, read};
 use super::constants::KSTRIP_MODEL_DEFAULT;
 pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use super::types::*;

@@ -175,13 +175,13 @@ int main()
     expect(same(balances.position[0], at) && same(balances.velocity[0], turning), "wheelsets_settle");
     const auto second = kstrip::wheelset_settle(set, track, begin, moves, loads[1], both);
     expect(same(balances.forces[1], second.forces) && same(balances.position[1], second.position), "wheelsets_settle: the second");
-    const auto all = kstrip::wheelsets_on_track<double>(set, track, balances.position, balances.velocity, both);
-    expect(same(all[0], forces) && same(all[1], kstrip::wheelset_on_track(set, track, second.position, second.velocity, both)), "wheelsets_on_track");
+    const auto on_both = kstrip::wheelsets_on_track<double>(set, track, balances.position, balances.velocity, both);
+    expect(same(on_both[0], forces) && same(on_both[1], kstrip::wheelset_on_track(set, track, second.position, second.velocity, both)), "wheelsets_on_track");
     auto each_slope = std::vector<kstrip::wheelset_derivatives>(2);
     std::vector<kstrip::wheelset_forces> each_force(2);
     fine(kstrip::wheelsets_on_track<double>(set, track, balances.position, balances.velocity, both, each_force, {statuses.data(), 2},
                                             each_slope.data()), "wheelsets_on_track: derivatives");
-    expect(same(each_force[1], all[1]) && same(each_slope[0], by_velocity), "wheelsets_on_track: both forms");
+    expect(same(each_force[1], on_both[1]) && same(each_slope[0], by_velocity), "wheelsets_on_track: both forms");
     const std::array<double, 6> on_set = forces.wrench;
     expect(std::abs(on_set[2] + 160e3) < 160, "wheelset: the load");
     const auto through = kstrip::curve_motion<double>({20_m_per_s, 0.002_per_m, 0.05_rad}, at, kstrip::wheel_velocity{});

@@ -60,8 +60,8 @@ const GROUPS: [Group; 10] = [
         id: "wheelset",
         title: "The wheelset: two wheels on two rails",
         constants: "KSTRIP_WHEELSET_",
-        functions: "gauge_face curve_motion wheelset_on_track wheelset_settle wheelsets_on_track wheelsets_settle \
-            rolling_radius_difference equivalent_conicity",
+        functions: "gauge_face curve_motion wheelset_on_track wheelset_settle \
+            wheelsets_on_track wheelsets_settle rolling_radius_difference equivalent_conicity",
     },
     Group {
         id: "rig",

@@ -77,8 +77,8 @@ def many(name: str, single: bool, shape: Shape, fixed: Iterable[Any], inputs: It
          outputs: Iterable[Optional[Strided]], to: Sequence[Any] = (), after: Optional[Callable[[int, int], None]] = None) -> None:
     """Calls a function that takes many elements, a part of them at a time.
 
-    fixed: addresses of what is one for all. inputs: arrays with the distance of their elements in bytes; None: NULL. outputs: the
-    same, without distance. to: more arguments. after: what is done with each part, from its first element and their number.
+    fixed: addresses of structures that all elements share. inputs: arrays with the distance of their elements in bytes; None: NULL. outputs: the
+    same, without distance. to: more arguments. after: called with the first element and the size of each part.
     """
     function, worst, count = function_of(name, single), Worst(), size_of(shape)
     ins, outs = ([None if a is None else (a[0].ctypes.data, a[1]) for a in arrays] for arrays in (inputs, outputs))
