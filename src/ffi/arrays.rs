@@ -106,7 +106,7 @@ impl<T: Copy> Strided<T> {
 ///
 /// # Safety
 /// `statuses` is NULL or valid for `count` writes, and `one` does not write there.
-pub(super) unsafe fn each(
+pub(super) unsafe fn each_element(
     count: u32,
     statuses: *mut kstrip_status,
     mut one: impl FnMut(usize) -> kstrip_status,

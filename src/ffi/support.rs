@@ -1,6 +1,8 @@
 //! Shared helpers of the exported functions, and the names that these use.
 
-pub(super) use super::arrays::{Strided, each, element, input, is_aligned, output, place, read};
+pub(super) use super::arrays::{
+    Strided, each_element, element, input, is_aligned, output, place, read,
+};
 use super::constants::KSTRIP_MODEL_DEFAULT;
 pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use super::types::*;

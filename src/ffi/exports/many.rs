@@ -88,7 +88,7 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
             status
         };
         // SAFETY: the same.
-        unsafe { each(count, statuses, one) }
+        unsafe { each_element(count, statuses, one) }
     })
 }
 
@@ -154,7 +154,7 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
             )
         };
         // SAFETY: the same.
-        unsafe { each(count, statuses, one) }
+        unsafe { each_element(count, statuses, one) }
     })
 }
 
@@ -203,7 +203,7 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
             )
         };
         // SAFETY: the same.
-        unsafe { each(count, statuses, one) }
+        unsafe { each_element(count, statuses, one) }
     })
 }
 
@@ -255,6 +255,6 @@ pub unsafe extern "C" fn kstrip_wheelsets_settle(
             )
         };
         // SAFETY: the same.
-        unsafe { each(count, statuses, one) }
+        unsafe { each_element(count, statuses, one) }
     })
 }
