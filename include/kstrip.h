@@ -156,6 +156,12 @@ typedef int32_t kstrip_status;
  * twentieth of the shear modulus.
  */
 #define KSTRIP_WARNING_SUPPORT 25
+/**
+ * Warning: a contact of a wheel is less than four distances of the points of a profile wide. The
+ * profile has few points and is not smooth between them, and the pressure depends on the shape
+ * there.
+ */
+#define KSTRIP_WARNING_PROFILE_COARSE 26
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -1518,8 +1524,8 @@ typedef struct kstrip_surface {
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
     /**
-     * What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2
-     * (it is not the profile of a rail).
+     * What the shape tells: 0 nothing, or a sum of 1 (it is not the profile of a wheel), 2 (it is
+     * not the profile of a rail) and 4 (it has few points, and is not smooth between them).
      */
     uint32_t form;
 } kstrip_surface;
@@ -1540,8 +1546,11 @@ typedef struct kstrip_surface {
  * @param step            length between prepared points [m]; 0: the length of the profile divided
  *                        by the capacity less one.
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
- *                        this distance [m], >= 0; 0: the profile goes through all points. 2 to 4
- *                        mm suit measured profiles.
+ *                        this distance [m], >= 0; at least four distances of the
+ *                        points, 2 to 4 mm for measured profiles; 0: a profile of 320 points or
+ *                        more goes through all of them, one of fewer than 234 is smoothed over
+ *                        six of their distances, and one of a number between these over less. A
+ *                        length below that of two distances has no effect.
  * @param[out] surface    receives the profile.
  * @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
  *         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,

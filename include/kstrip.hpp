@@ -73,6 +73,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_modulus = KSTRIP_WARNING_MODULUS,
     warning_unset = KSTRIP_WARNING_UNSET,
     warning_support = KSTRIP_WARNING_SUPPORT,
+    warning_profile_coarse = KSTRIP_WARNING_PROFILE_COARSE,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,

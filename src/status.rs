@@ -231,6 +231,9 @@ statuses! {
             "no ordinary contact supports the wheel: the support falls with depth on the way to \
              this height (friction pulls the wheel down), or the peak pressure exceeds a twentieth \
              of the shear modulus; check velocity, friction and load",
+        ProfileCoarse = 26:
+            "the points of a profile are too far apart for a contact, which is less than four of \
+             their distances wide: pass more points",
     }
 }
 
@@ -270,7 +273,7 @@ impl Warning {
             | Self::ProfileSize
             | Self::Modulus
             | Self::Unset => IMPLAUSIBLE,
-            Self::BeyondFriction | Self::AngleRange | Self::ProfileEnd => 2,
+            Self::BeyondFriction | Self::AngleRange | Self::ProfileEnd | Self::ProfileCoarse => 2,
             Self::OutsideRange
             | Self::SpinBeyondTheory
             | Self::AxisRatio

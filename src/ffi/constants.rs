@@ -71,6 +71,10 @@ pub const KSTRIP_WARNING_UNSET: kstrip_status = 24;
 /// height that was found, because friction pulls the wheel down, or the peak pressure exceeds a
 /// twentieth of the shear modulus.
 pub const KSTRIP_WARNING_SUPPORT: kstrip_status = 25;
+/// Warning: a contact of a wheel is less than four distances of the points of a profile wide. The
+/// profile has few points and is not smooth between them, and the pressure depends on the shape
+/// there.
+pub const KSTRIP_WARNING_PROFILE_COARSE: kstrip_status = 26;
 /// Error: a required pointer is NULL.
 pub const KSTRIP_ERROR_NULL: kstrip_status = -1;
 /// Error: an input is infinite or NaN.

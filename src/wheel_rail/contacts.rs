@@ -197,6 +197,15 @@ impl<F: Float> WheelContact<F> {
         strips.fold(F::zero(), |most, strip| most.max(strip.peak_pressure))
     }
 
+    /// Length along the rail from the first strip to the last \[m\].
+    pub(super) fn width(&self) -> F {
+        let strips = self.patch.strips.get(..self.patch.count as usize).unwrap_or(&[]);
+        match (strips.first(), strips.last()) {
+            (Some(first), Some(last)) => last.y - first.y + (first.width + last.width).times(0.5),
+            _ => F::LARGEST,
+        }
+    }
+
     /// Whether the normal turns by too much for one plane of contact.
     pub(crate) fn is_conformal(&self) -> bool {
         self.angle_range > F::of(FLAT)

@@ -263,6 +263,14 @@ impl<'a, F: Float> Knots<'a, F> {
         }
     }
 
+    /// The largest distance of a knot from its smoothed place.
+    pub(super) fn farthest(&self, line: &Polyline<F>) -> F {
+        let points = line.points.iter().take(line.count).enumerate();
+        points.fold(F::zero(), |most, (k, point)| {
+            self.knot(k).map_or(most, |knot| most.max(distance(knot.point, *point)))
+        })
+    }
+
     /// The parabola about a knot.
     fn parabola(&self, centre: usize, smoothing: F) -> Option<[F; 2]> {
         let PointAverage { length: origin, point: middle, .. } = self.knot(centre)?;

@@ -32,6 +32,8 @@ const EDGE: f64 = 8e-3;
 const LONGEST: f64 = 1.0;
 /// Least shear modulus \[Pa\]: rubber has 5e5.
 const SOFTEST: f64 = 1e5;
+/// Least width of a contact over the distance of the points of a profile.
+const NARROWEST: f64 = 4.0;
 /// Largest angle of a contact of a right wheel \[rad\]: its flange has -1.2.
 const LARGEST_ANGLE: f64 = 30.0 * core::f64::consts::PI / 180.0;
 
@@ -39,6 +41,8 @@ const LARGEST_ANGLE: f64 = 30.0 * core::f64::consts::PI / 180.0;
 const NO_WHEEL: u32 = 1;
 /// The profile cannot be that of a rail.
 const NO_RAIL: u32 = 2;
+/// The profile has few points, and its shape is not smooth between them.
+pub(super) const ROUGH_AND_COARSE: u32 = 4;
 
 impl<F: Float> Surface<F> {
     /// What the shape tells: whether the profile may be that of a wheel, and that of a rail.
@@ -82,7 +86,12 @@ impl<F: Float> Surface<F> {
 
     /// What is implausible about the profile of a wheel or a rail.
     pub fn plausibility(&self) -> Warning {
-        self.implausible(self.form == (NO_WHEEL | NO_RAIL))
+        self.implausible(self.form & (NO_WHEEL | NO_RAIL) == (NO_WHEEL | NO_RAIL))
+    }
+
+    /// Whether there are too few points for a contact of a width.
+    fn is_coarse_for(&self, width: F) -> bool {
+        self.form & ROUGH_AND_COARSE != 0 && width < self.spacing.times(NARROWEST)
     }
 
     fn implausible(&self, stands_wrong: bool) -> Warning {
@@ -109,6 +118,7 @@ pub(super) fn implausibility_of_wheel<F: Float>(
     let friction = if places.is_empty() { &[pair.friction] } else { places };
     let friction = friction.iter().fold(F::zero(), |most, friction| most.max(*friction));
     let pressure = pair.shear_modulus.times(LARGEST_PRESSURE);
+    let is_coarse = |width| rail.is_coarse_for(width) || wheel.is_coarse_for(width);
     if of_profiles != Warning::None {
         of_profiles
     } else if pair.wheel_radius > F::of(LARGEST_RADIUS) {
@@ -123,6 +133,8 @@ pub(super) fn implausibility_of_wheel<F: Float>(
         Warning::Pressure
     } else if contacts.iter().any(|contact| contact.angle > F::of(LARGEST_ANGLE)) {
         Warning::Orientation
+    } else if contacts.iter().map(WheelContact::width).any(is_coarse) {
+        Warning::ProfileCoarse
     } else {
         Warning::None
     }

@@ -11,6 +11,7 @@ use super::KSTRIP_SURFACE_CAPACITY;
 use super::curve::distance;
 use super::curve::{Chords, Interpolant};
 use super::knots::{Knots, SINGLE};
+use super::plausibility::ROUGH_AND_COARSE;
 use super::spine::Polyline;
 use super::surface::{CurvePoint, Surface};
 use crate::number::{Float, are_finite};
@@ -21,6 +22,13 @@ const SHORTEST: f64 = 1e-6;
 const LARGEST: f64 = 1e3;
 /// Attempts with more and more smoothing until chords are equal.
 const ATTEMPTS: i32 = 12;
+/// Distance of given points over that of as many points as there is room for, from which a profile
+/// is smoothed by default, and from which it is smoothed over six distances.
+const COARSE: [f64; 2] = [1.6, 2.2];
+const DISTANCES: f64 = 6.0;
+/// Distance of points from the smoothed line, over their distance from each other, above which too
+/// few points tell the shape.
+const ROUGH: f64 = 1e-3;
 
 impl<F: Float> Surface<F> {
     /// Fills the surface. Points may turn back (those of a measured flange do), run either way
@@ -28,7 +36,8 @@ impl<F: Float> Surface<F> {
     /// profile counts, and only over distances larger than their scatter. Smoothing replaces every
     /// point by that of the parabola through the points up to the smoothing length `s` away,
     /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not
-    /// changed.
+    /// changed. Without a smoothing length a profile of more than 319 points is not smoothed, and
+    /// one of fewer than 234 over six distances of its points.
     ///
     /// Returns a warning for a profile that is longer than 1 m, stands upside down or runs the
     /// wrong way.
@@ -85,6 +94,12 @@ impl<F: Float> Surface<F> {
         let given = F::widened((y.len() - 1) as f32);
         let mut knots = Knots::new(self);
         let mut smoothing = smoothing_length;
+        if smoothing <= F::zero() {
+            let t = (room / given).plus(-COARSE[0]).times(1.0 / (COARSE[1] - COARSE[0]));
+            // (between the points of a coarse profile lies what nobody measured)
+            smoothing = length / given * t.clamped(F::zero(), F::one()).times(DISTANCES);
+        }
+        let mut is_rough = false;
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
         if smoothing <= F::zero() && y.len() + 2 <= SINGLE {
             knots.collect_points(false, &line, radius, y, z);
@@ -101,8 +116,11 @@ impl<F: Float> Surface<F> {
             points.for_each(|(k, point)| self.put(chords.count, is_reversed, k, *point));
         } else {
             knots.collect_points(true, &line, radius, y, z);
-            for _ in 0..ATTEMPTS {
+            for attempt in 0..ATTEMPTS {
                 knots.smooth(smoothing, &mut line);
+                if attempt == 0 && smoothing > smoothing_length {
+                    is_rough = knots.farthest(&line) > length / given * F::of(ROUGH);
+                }
                 chords = Interpolant(&line).equal_chords(wanted, most);
                 if chords.are_equal {
                     break;
@@ -116,7 +134,7 @@ impl<F: Float> Surface<F> {
         self.count = chords.count as u32 + 1;
         self.spacing = chords.length * F::widened(chords.count as f32) / given;
         self.directions();
-        self.form = self.what_it_is();
+        self.form = self.what_it_is() + if is_rough { ROUGH_AND_COARSE } else { 0 };
         Ok(self.plausibility())
     }
 

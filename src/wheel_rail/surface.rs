@@ -26,8 +26,8 @@ pub struct Surface<F> {
     pub spacing: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2
-    /// (it is not the profile of a rail).
+    /// What the shape tells: 0 nothing, or a sum of 1 (it is not the profile of a wheel), 2 (it is
+    /// not the profile of a rail) and 4 (it has few points, and is not smooth between them).
     pub form: u32,
 }
 

@@ -2,6 +2,7 @@
 //! members forgotten, and wheels that friction pulls down. Ordinary ones come without a warning.
 
 use crate::manchester::{points, steel, zeroed};
+use crate::random::Random;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::status::{Error, Warning};
@@ -151,4 +152,55 @@ fn a_wheel_that_friction_pulls_down_is_told() {
         told += i32::from(warning == Warning::Support);
     }
     assert!(told > 0);
+}
+
+/// A wheel with points 1.1 mm apart, as drawn or with 20 um of shape between them: it is smoothed,
+/// unless a smoothing length says otherwise. With points 2.3 mm apart a narrow contact is told.
+#[test]
+fn coarse_profiles_are_smoothed_or_told() {
+    let (rail, _) = scaled("uic60", [1.0, 1.0]);
+    let [y, z] = points("s1002");
+    let mut random = Random::new(5);
+    let shape: Vec<f64> = y.iter().map(|_| random.between(-20e-6, 20e-6)).collect();
+    let thinned = |every: usize, shape: &[f64], smoothing: f64| {
+        let [y, z] = [&y, &z].map(|list| list.iter().step_by(every).copied().collect::<Vec<_>>());
+        let z: Vec<f64> = z.iter().zip(shape).map(|(z, shape)| z + shape).collect();
+        let mut surface = zeroed::<Surface<f64>>();
+        surface.prepare(&y, &z, 0.0, smoothing).unwrap();
+        surface
+    };
+    let none = vec![0.0; y.len()];
+    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let law = Law { model: Model::Strip, falling: None };
+    let mut memory = zeroed::<Workspace<f64>>();
+    let mut pressed = |wheel: &Surface<f64>, lateral: f64| {
+        let scene = Scene { rail: &rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let position = Position { lateral, ..Position::default() };
+        let (vertical, _) = scene.height_for_load(&position, 80e3, None, &mut memory).unwrap();
+        let position = Position { vertical, ..position };
+        let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
+        let warning = scene.solve(&position, &rolling, &mut memory, None, None).unwrap().warning;
+        let strips = memory.found().iter().flat_map(|contact| &contact.patch.strips);
+        (strips.fold(0.0, |most, strip| strip.peak_pressure.max(most)), warning)
+    };
+    let (whole, drawn) = (thinned(1, &none, 0.0), thinned(3, &none, 0.0));
+    let (shaped, through) = (thinned(3, &shape, 0.0), thinned(3, &shape, 1e-6));
+    let (mut worst, mut worst_through) = (0.0_f64, 0.0_f64);
+    for k in 0..8 {
+        let lateral = -13e-3 + 1e-3 * f64::from(k);
+        let (right, _) = pressed(&whole, lateral);
+        let off = |(peak, warning): (f64, Warning)| {
+            assert_eq!(warning, Warning::None);
+            (peak / right - 1.0).abs()
+        };
+        let of_drawn = off(pressed(&drawn, lateral));
+        assert!(of_drawn < 0.01, "{lateral}: {of_drawn}");
+        worst = worst.max(off(pressed(&shaped, lateral)));
+        worst_through = worst_through.max(off(pressed(&through, lateral)));
+    }
+    println!("smoothed {worst:.3}, through all points {worst_through:.3}");
+    assert!(worst < 0.25 && worst_through > 2.0, "{worst} {worst_through}");
+    let coarse = thinned(6, &none, 0.0);
+    let warnings = [-8e-3, 0.0].map(|lateral| pressed(&coarse, lateral).1);
+    assert_eq!(warnings, [Warning::None, Warning::ProfileCoarse]);
 }

@@ -252,7 +252,7 @@ class Surface(Record, name="surface"):
     step = Numbers('m', 'Length between two points [m].')
     spacing = Numbers('m', 'Mean distance between the points that were given [m].')
     count = Integers('', 'Number of points, 4 to KSTRIP_SURFACE_CAPACITY.')
-    form = Integers('', 'What the shape excludes: 0 nothing, or a sum of 1 (it is not the profile of a wheel) and 2 (it is not the profile of a rail).')
+    form = Integers('', 'What the shape tells: 0 nothing, or a sum of 1 (it is not the profile of a wheel), 2 (it is not the profile of a rail) and 4 (it has few points, and is not smooth between them).')
 
 
 class WheelPosition(Record, name="wheel_position"):
