@@ -12,14 +12,14 @@ const wheelView = {
         ] },
         { title: "Motion", fields: [
             { key: "v", label: "Speed", unit: "m/s", power: 0, value: 20, low: 0.1, high: 100, scale: "linear" },
-            { key: "turn", label: "Axle turns faster by", unit: "%", power: -2, value: 0, high: 3, scale: "cube" },
+            { key: "turn", label: "Axle turns faster than it rolls by", unit: "%", power: -2, value: 0, high: 3, scale: "cube" },
             { key: "drift", label: "Lateral velocity", unit: "mm/s", power: -3, value: 0, high: 300, scale: "cube" },
         ] },
         { title: "Profiles", fields: [
             { key: "rail", label: "Rail", kind: "file", builtin: "60E1", value: "60E1" },
             { key: "wheel", label: "Wheel", kind: "file", builtin: "S1002", value: "S1002" },
             { key: "R", label: "Wheel radius", unit: "mm", power: -3, value: 460, low: 150, high: 650, scale: "linear" },
-            { key: "origin", label: "Rail’s origin outside of the running circle", unit: "mm", power: -3, value: 10.5325, low: -40, high: 40, scale: "linear" },
+            { key: "origin", label: "Rail’s origin, outward from the running circle", unit: "mm", power: -3, value: 10.5325, low: -40, high: 40, scale: "linear" },
             { key: "cant", label: "Rail turned by", unit: "mrad", power: -3, value: 0, low: -60, high: 60, scale: "linear" },
             { key: "smooth", label: "Smoothing of measured profiles", unit: "mm", power: -3, value: 0, low: 0, high: 8, scale: "linear" },
         ] },
@@ -188,7 +188,7 @@ const wheelView = {
         return picture(width, height, "Wheel and rail", said.join("; ") || "no contact", content);
     },
 
-    // Each contact seen along its normal: pressure by shade, slip and stick, tractions on the rail.
+    // Each contact, drawn along its normal: pressure by shade, slip and stick, tractions on the rail.
     drawPatches(v, found) {
         const mm = 1e3, contacts = found.contacts;
         if (contacts.length === 0) return picture(560, 120, "Patches", "no contact", `<text class="label" x="280" y="64" text-anchor="middle">no contact</text>`);
