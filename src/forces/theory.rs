@@ -287,7 +287,7 @@ impl<F: Real> Theory<F> for EllipseStrips<F> {
         frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
-        Self::totals(self, frame.units.normalised(parameters))
+        self.totals_of_strips(frame.units.normalised(parameters))
     }
 }
 
@@ -305,7 +305,7 @@ impl<F: Real> Theory<F> for Total<F> {
         frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
-        Self::totals(self, frame.units.normalised(parameters))
+        self.mean_totals(frame.units.normalised(parameters))
     }
 }
 

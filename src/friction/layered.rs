@@ -66,7 +66,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
 
     /// Totals behind an interface whose numbers may be variables.
     #[inline(always)]
-    fn totals<T: Number<Base = F>>(
+    fn totals_through_layer<T: Number<Base = F>>(
         &self,
         frame: &ScaledContact<F>,
         parameters: &Parameters<T>,
@@ -150,7 +150,7 @@ impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
     ) -> Totals<T> {
         let Interface { layer, slide } = self.interface;
         let interface = Interface { layer: T::from_base(layer), slide: T::from_base(slide) };
-        self.totals(frame, parameters, &interface)
+        self.totals_through_layer(frame, parameters, &interface)
     }
     #[inline(always)]
     fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
@@ -299,7 +299,8 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
             }
             None => {
                 let parameters = frame.units.parameters(&inputs);
-                let Totals { fx, fy, mz, stick } = self.totals(frame, &parameters, &interface);
+                let Totals { fx, fy, mz, stick } =
+                    self.totals_through_layer(frame, &parameters, &interface);
                 let rows = [(fx, one), (fy, one), (mz, *radius)];
                 let bound = contact.friction_bound();
                 (rows, parameters.psi.value, stick.value, [bound, contact.normal_force])

@@ -245,7 +245,7 @@ impl<'a, F: Float> Problem<'a, F> {
         let seen = split.map_or(seen, |split| split.half_spaces(&seen));
         let parameters = Parameters::new(&zone.contact, &seen);
         let total = total::Total::new(parameters.axis_ratio, poisson_ratio, &linear);
-        (total.totals(parameters.normalised()), shift, split)
+        (total.mean_totals(parameters.normalised()), shift, split)
     }
 }
 

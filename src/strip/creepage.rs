@@ -96,12 +96,12 @@ impl<F: Real> Flexibilities<F> {
     ) -> Self {
         with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
             linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
-            Flexibilities::for_contact(axis_ratio, poisson_ratio, linear, factors)
+            Flexibilities::for_ellipse(axis_ratio, poisson_ratio, linear, factors)
         })
     }
 
     #[inline(always)]
-    fn for_contact(
+    fn for_ellipse(
         axis_ratio: F,
         poisson_ratio: F,
         linear: &LinearCoefficients<F>,
@@ -189,12 +189,17 @@ impl<F: Real> Flexibilities<F> {
             less(by_more, 4.0),
             less(by_q, 2.0),
         ];
-        let mut corrections = self.network.layers().corrections::<T, P>(features);
+        let mut corrections = self.network.layers().strip_corrections::<T, P>(features);
         if self.long.share.exceeds(F::zero()) {
             let [_, _, _, shared @ ..] = features;
             let psi = magnitude(py.times(PI / 3.0));
-            let more =
-                self.long.corrections::<T, P>(shared, [lx, ly, ls], [x2, y2, py2], vy * py, psi);
+            let more = self.long.long_corrections::<T, P>(
+                shared,
+                [lx, ly, ls],
+                [x2, y2, py2],
+                vy * py,
+                psi,
+            );
             add(&mut corrections, more);
         }
         let [o_x, o_y, o_slope, o_spin, o_share, o_spin_share, o_lateral, o_bend] = corrections;

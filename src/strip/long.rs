@@ -60,7 +60,7 @@ impl<F: Real> LongContact<F> {
     /// `forces` those of the linear theory, `squares` of `vx, vy` and `p = √(a/b) φ`, `turn` is `vy
     /// p` and `psi` is `|ψ|`, rounded.
     #[inline(always)]
-    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
+    pub fn long_corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         shared: [T; SHARED],
         [lx, ly, ls]: [T; 3],
@@ -100,7 +100,7 @@ impl<F: Real> LongContact<F> {
         let [offset] = table!(F, widen(&[OFFSET]));
         let (input, output) = (table!(F, widen(&INPUT)), table!(F, widen(&OUTPUT)));
         let layers = Layers { start: &self.start, input, offset, output };
-        let corrections = layers.corrections::<T, P>(inputs);
+        let corrections = layers.strip_corrections::<T, P>(inputs);
         T::each(&corrections, |correction| correction.scale(self.share))
     }
 }

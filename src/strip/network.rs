@@ -71,7 +71,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
     /// wide registers it is inlined, because only the caller's code is compiled for them.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-    pub fn corrections<T: Number<Base = F>, P: Strips<F>>(
+    pub fn strip_corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         inputs: [T; INPUTS],
     ) -> [T; CORRECTIONS] {

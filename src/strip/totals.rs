@@ -55,7 +55,7 @@ impl<F: Real> EllipseStrips<F> {
     /// Forces, moment and share in adhesion for `vx, vy = G a b (υx, υy)/(μ N)`,
     /// `φ = G (a b)^{3/2} ϕ/(μ N)`.
     #[inline(always)]
-    pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+    pub fn totals_of_strips<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(
             strips: &EllipseStrips<F> = self,
             creepage: [T; 3]
@@ -243,7 +243,7 @@ impl<F: Real> EllipseStrips<F> {
     }
 
     /// The forces of each strip, divided by the contact's friction bound, with its share of the
-    /// area, ascending in `y`. Their sum is the result of [`EllipseStrips::totals`].
+    /// area, ascending in `y`. Their sum is the result of [`EllipseStrips::totals_of_strips`].
     pub fn each_strip(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
     where
         F: Float,

@@ -102,12 +102,12 @@ impl<F: Real> Total<F> {
             poisson_ratio: F,
             linear: &LinearCoefficients<F>
         ) -> Total<F> {
-            Total::for_contact(axis_ratio, poisson_ratio, linear)
+            Total::with_ratio(axis_ratio, poisson_ratio, linear)
         })
     }
 
     #[inline(always)]
-    fn for_contact(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
+    fn with_ratio(axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let g = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT));
         let inverse = F::one() / g;
         let (root, both) = (g.sqrt(), g + inverse);
@@ -126,7 +126,7 @@ impl<F: Real> Total<F> {
             ends: [end_x, end_y],
             slender,
             rigid: RigidSlip::new(g, both),
-            network: TotalNetwork::for_contact([
+            network: TotalNetwork::for_fixed_inputs([
                 slender,
                 poisson,
                 slender * slender,
@@ -140,7 +140,7 @@ impl<F: Real> Total<F> {
     /// The model does not give the stick area.
     #[must_use]
     #[inline(always)]
-    pub fn totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
+    pub fn mean_totals<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
         with_avx!(if T::LANES => <F: Real, T: Number<Base = F>>(
             contact: &Total<F> = self,
             creepage: [T; 3]
@@ -200,7 +200,7 @@ impl<F: Real> Total<F> {
             x.plus(1.0),
         ]);
         let w = n2 * w;
-        let corrections = self.network.corrections::<T, P>([
+        let corrections = self.network.total_corrections::<T, P>([
             kappa,
             kappa.scale(self.slender),
             py2 * f_y,

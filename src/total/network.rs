@@ -24,7 +24,7 @@ pub(super) struct TotalNetwork<F> {
 
 impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
-    pub(super) fn for_contact(fixed: [F; FIXED_INPUTS]) -> Self {
+    pub(super) fn for_fixed_inputs(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, couples_as_rows(&FIXED));
         Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
     }
@@ -33,7 +33,7 @@ impl<F: Real> TotalNetwork<F> {
     /// be small; wide registers need it within its caller.)
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-    pub(super) fn corrections<T: Number<Base = F>, P: Strips<F>>(
+    pub(super) fn total_corrections<T: Number<Base = F>, P: Strips<F>>(
         &self,
         inputs: [T; INPUTS],
     ) -> [T; 6] {

@@ -20,7 +20,7 @@ fn translation_saturates_once() {
         let contact = Total::new(g, nu, &linear);
         let size = |u: f64| {
             let v = [u * turn.cos() / linear.c11, u * turn.sin() / linear.c22, 0.0];
-            let Totals { fx, fy, .. } = contact.totals(v);
+            let Totals { fx, fy, .. } = contact.mean_totals(v);
             fx.hypot(fy)
         };
         let steps: Vec<f64> = (0..=400).map(|i| size(0.05 * f64::from(i))).collect();

@@ -29,7 +29,7 @@ const COUNTS: [StripCount; 5] = [
 ];
 
 fn totals([g, nu, vx, vy, phi]: [f64; 5]) -> [f64; 4] {
-    let t = prepared(g, nu).totals([vx, vy, phi]);
+    let t = prepared(g, nu).totals_of_strips([vx, vy, phi]);
     [t.fx, t.fy, t.mz, t.stick]
 }
 
@@ -72,7 +72,7 @@ fn slopes_at_rest_are_kalkers() {
             for count in COUNTS {
                 let c = LinearCoefficients::at(g, nu);
                 let v = [0, 1, 2].map(|i| Dual::<f64, 3>::input(0.0, i));
-                let t = EllipseStrips::new(g, nu, &c, count).totals(v);
+                let t = EllipseStrips::new(g, nu, &c, count).totals_of_strips(v);
                 let expected = [[c.c11, 0.0, 0.0], [0.0, c.c22, c.c23], [0.0, -c.c23, c.c33]];
                 let size = 1.0 + c.c11 + c.c22 + c.c23 + c.c33;
                 for (force, expected) in [t.fx, t.fy, t.mz].iter().zip(expected) {
@@ -99,7 +99,7 @@ fn power_is_never_negative() {
         let phi = 10_f64.powf(3.0 * u(0.324_717_957) - 2.0) / g.sqrt();
         let v = [part * size * angle.cos(), part * size * angle.sin(), phi];
         let c = LinearCoefficients::at(g, nu);
-        let t = prepared(g, nu).totals(v);
+        let t = prepared(g, nu).totals_of_strips(v);
         let linear = [c.c11 * v[0], c.c22 * v[1], c.c33 * phi];
         let whole: f64 = linear.iter().zip(v).map(|(k, v)| k * v).sum();
         let n2 = linear.iter().map(|k| k * k).sum::<f64>() + (c.c23 * phi).powi(2);
@@ -112,7 +112,7 @@ fn power_is_never_negative() {
             StripCount::Sixteen,
         );
         let v = v.map(|v| v as f32);
-        let t = single.totals(v);
+        let t = single.totals_of_strips(v);
         assert!(t.fx * v[0] + t.fy * v[1] + t.mz * v[2] >= 0.0, "{g} {nu} {v:?} {t:?}");
     }
     assert!(least > 0.19, "{least}");
@@ -186,7 +186,7 @@ fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
                 let strips = EllipseStrips::new(ratio, nu, &linear, count);
                 for v in [[0.3, 0.1, 0.2], [0.0, 2.0, -3.0], [-0.05, 0.0, 0.0], [40.0, 1.0, 9.0]] {
                     let v = [0, 1, 2].map(|i| input(F::of(v[i]), i));
-                    same(&strips.totals(v), &strips.totals_one_by_one(v));
+                    same(&strips.totals_of_strips(v), &strips.totals_one_by_one(v));
                 }
             }
             let number = |i: usize| F::of(((i * 37 + k * 11) % 97) as f64 / 40.0 - 1.0);

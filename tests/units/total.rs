@@ -8,7 +8,8 @@ use kstrip::number::dual::Dual;
 use kstrip::total::Total;
 
 fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
-    let Totals { fx, fy, mz, .. } = Total::new(g, nu, &LinearCoefficients::at(g, nu)).totals(v);
+    let Totals { fx, fy, mz, .. } =
+        Total::new(g, nu, &LinearCoefficients::at(g, nu)).mean_totals(v);
     [fx, fy, mz]
 }
 
@@ -60,7 +61,7 @@ fn derivatives_are_finite_at_any_creepage() {
     let gradients = |g: f64, v: [f64; 3]| {
         let single = LinearCoefficients::at(g as f32, 0.28);
         let v = [0, 1, 2].map(|i| Dual::<f32, 3>::input(v[i] as f32, i));
-        let t = Total::new(g as f32, 0.28, &single).totals(v);
+        let t = Total::new(g as f32, 0.28, &single).mean_totals(v);
         [t.fx, t.fy, t.mz].map(|force| force.gradient)
     };
     for size in [1e-6, 1.0, 30.0, 100.0, 1e3, 3e3, 1e4, 1e5, 1e8, 1e15, 1e30] {
@@ -82,7 +83,7 @@ fn derivatives_are_finite_at_any_creepage() {
     let double = LinearCoefficients::at(0.64, 0.28);
     let v = [3e3, 261.0, 0.3];
     let dual = [0, 1, 2].map(|i| Dual::<f64, 3>::input(v[i], i));
-    let t = Total::new(0.64, 0.28, &double).totals(dual);
+    let t = Total::new(0.64, 0.28, &double).mean_totals(dual);
     for (single, force) in gradients(0.64, v).iter().zip([t.fx, t.fy]) {
         for (single, double) in single.iter().zip(force.gradient) {
             assert!((f64::from(*single) - double).abs() < 1e-4 / 3e3, "{single} {double}");
