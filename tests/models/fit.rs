@@ -130,6 +130,10 @@ fn curves_that_others_published_are_met() {
             if name == "measured" && slide > 0.0 {
                 assert!(low < 0.031, "{low}");
             }
+            // (what ends at a bound has no error)
+            if name == "measured" {
+                assert_eq!((found.law.ratio, found.standard_errors.ratio), (0.0, 0.0));
+            }
         }
     }
 }
@@ -257,6 +261,8 @@ fn bad_points_are_named() {
     assert_eq!(of(&good[..1], which), Err((1, Error::FewPoints)));
     assert_eq!(of(&good, [false; 6]), Err((2, Error::FitParameters)));
     let [first, second] = good;
+    let without = MeasuredForce { weight: 0.0, ..second };
+    assert_eq!(of(&[first, without], which), Err((2, Error::FewPoints)));
     assert_eq!(
         of(&[first, MeasuredForce { fx: f64::NAN, ..second }], which),
         Err((1, Error::NotFinite))
@@ -391,4 +397,22 @@ fn a_slope_factor_is_not_taken_for_low_friction() {
         assert!((under.friction - 0.33).abs() < 1e-9, "{creepage}: {under:?}");
         assert!((without.friction - clean).abs() < 6e-4, "{creepage}: {without:?}");
     }
+}
+
+/// Errors have the units of their parameters: that of a layer is a small share of the layer.
+#[test]
+fn the_error_of_a_layer_is_a_share_of_it() {
+    let truth = SlipFriction { layer: 1.2e-13, ..START };
+    let truth = SlipFriction { ratio: 1.0, slope_factor: 0.0, ..truth };
+    let points: Vec<_> = (1..=20)
+        .map(|i| {
+            let creepage = along(2e-5 * f64::from(i * i));
+            let found = friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
+            let off = if i % 2 == 0 { 1.01 } else { 0.99 };
+            point(creepage.longitudinal, found.solution.fx * off)
+        })
+        .collect();
+    let found = fit(&points, [true, false, false, false, false, true], truth);
+    let share = found.standard_errors.layer / found.law.layer;
+    assert!(share > 1e-3 && share < 0.1, "{found:?}");
 }
