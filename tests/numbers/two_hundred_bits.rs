@@ -1,6 +1,7 @@
-//! Every model, patches of strips and falling friction against their own formulas in 200 bits, by
-//! region, in double and single precision: what the arithmetic loses, derivatives included.
-//! docs/reference/numerics.md states and explains the errors; four times as much is too much.
+//! Every model, patches of strips, falling friction and layers against their own formulas in 200
+//! bits, by region, in double and single precision: what the arithmetic loses, derivatives
+//! included. docs/reference/numerics.md states and explains the errors; four times as much is too
+//! much.
 //!
 //! `KSTRIP_WRITE_PRECISE=120 cargo test --config tests/plain.toml --test numbers two_hundred_bits
 //! -- --nocapture` looks for worse cases, prints the table of that page, and writes the worst
@@ -59,6 +60,10 @@ enum Road {
     Falling,
     /// Friction that falls, on a patch.
     FallingPatch(Strips),
+    /// Constant friction behind a layer that sliding softens.
+    Layer,
+    /// The same on a patch.
+    LayerPatch(Strips),
 }
 
 /// Strips of a patch.
@@ -143,6 +148,13 @@ fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<
         slide_factor: F::zero(),
         layer: F::zero(),
     };
+    // (as flexible as the bodies, about)
+    let layer = SlipFriction {
+        decay: F::zero(),
+        slide_factor: F::of(0.5),
+        layer: F::widened(inputs[0] * 0.5 / inputs[3]),
+        ..law
+    };
     // (nalgebra counts columns first)
     let rows = |by: Matrix3<F>| -> [[F; 3]; 3] { by.transpose().into() };
     let (found, slopes) = match road {
@@ -159,9 +171,15 @@ fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<
             let found = differentiate_with_law(&contact, &creepage, Some(&law), &options)?;
             (found.solution, found.derivatives.jacobian)
         }
-        Road::FallingPatch(strips) => {
+        Road::Layer => {
+            let found = differentiate_with_law(&contact, &creepage, Some(&layer), &options)?;
+            (found.solution, found.derivatives.jacobian)
+        }
+        Road::FallingPatch(strips) | Road::LayerPatch(strips) => {
+            let law = if matches!(road, Road::LayerPatch(_)) { layer } else { law };
             let patch = patch(strips, inputs);
-            let found = friction::differentiate(&patch.view()?, &creepage, Some(&law), model)?;
+            let found =
+                friction::differentiate_patch(&patch.view()?, &creepage, Some(&law), model)?;
             (found.solution, found.derivatives.jacobian)
         }
     };
@@ -277,13 +295,15 @@ const MODELS: [(Model, &str); 5] = [
     (Model::Total, "TOTAL"),
     (Model::Linear, "LINEAR"),
 ];
-const ROADS: [(Road, &str); 6] = [
+const ROADS: [(Road, &str); 8] = [
     (Road::Contact, ""),
     (Road::Patch(Strips::Ellipse), ": ellipse"),
     (Road::Patch(Strips::Banded), ": bands"),
     (Road::Patch(Strips::Unequal), ": unequal"),
     (Road::Falling, ": falling"),
     (Road::FallingPatch(Strips::Unequal), ": unequal and falling"),
+    (Road::Layer, ": layer"),
+    (Road::LayerPatch(Strips::Unequal), ": unequal behind a layer"),
 ];
 
 /// Roads, models and regions that are checked.
