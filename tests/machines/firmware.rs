@@ -26,7 +26,7 @@ fn firmware_gives_the_bits_of_this_machine() {
         }
     };
     let text = String::from_utf8_lossy(&output.stdout);
-    // StripCreepage without --nocapture too
+    // Seen without --nocapture too
     let said = if output.status.code() == Some(77) { text.lines().last() } else { None };
     if let Some(reason) = said {
         say(&format!("firmware: {reason}"));

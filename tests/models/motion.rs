@@ -93,7 +93,7 @@ fn far_from_standstill_one_end_leads() {
 }
 
 /// Turned by 180 degrees about z the same motion has the same forces, moment, power and
-/// derivatives: to the bit. StripCreepage in a mirror along or across the rolling direction too, as
+/// derivatives: to the bit. Seen in a mirror along or across the rolling direction too, as
 /// far as the model sums its strips alike from either side: to rounding.
 #[test]
 fn mirrors_are_exact() {

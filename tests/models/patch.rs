@@ -158,7 +158,7 @@ fn irregular_patches_keep_the_bounds() {
     }
 }
 
-/// StripCreepage from the other side, `y → −y`: lateral creepage, spin, their force and moment
+/// Seen from the other side, `y → −y`: lateral creepage, spin, their force and moment
 /// change their signs.
 #[test]
 fn a_mirrored_patch_gives_mirrored_forces() {
