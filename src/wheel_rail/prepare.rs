@@ -23,9 +23,9 @@ const LARGEST: f64 = 1e3;
 /// Attempts with more and more smoothing until chords are equal.
 const ATTEMPTS: i32 = 12;
 /// Distance of given points over that of as many points as there is room for, from which a profile
-/// is smoothed by default, and from which it is smoothed over six distances.
+/// is smoothed by default, and from which it is smoothed over four distances.
 const COARSE: [f64; 2] = [1.6, 2.2];
-const DISTANCES: f64 = 6.0;
+const DISTANCES: f64 = 4.0;
 /// Distance of points from the smoothed line, over their distance from each other, above which too
 /// few points tell the shape.
 const ROUGH: f64 = 1e-3;
@@ -37,7 +37,7 @@ impl<F: Float> Surface<F> {
     /// point by that of the parabola through the points up to the smoothing length `s` away,
     /// weighted with `(1 − (d/s)²)³` and with their spacing. Straight lines and parabolas are not
     /// changed. Without a smoothing length a profile of more than 319 points is not smoothed, and
-    /// one of fewer than 234 over six distances of its points.
+    /// one of fewer than 234 over four distances of its points.
     ///
     /// Returns a warning for a profile that is longer than 1 m, stands upside down or runs the
     /// wrong way.

@@ -199,7 +199,7 @@ fn coarse_profiles_are_smoothed_or_told() {
         worst_through = worst_through.max(off(pressed(&through, lateral)));
     }
     println!("smoothed {worst:.3}, through all points {worst_through:.3}");
-    assert!(worst < 0.25 && worst_through > 2.0, "{worst} {worst_through}");
+    assert!(worst < 0.35 && worst_through > 2.0, "{worst} {worst_through}");
     let coarse = thinned(6, &none, 0.0);
     let warnings = [-8e-3, 0.0].map(|lateral| pressed(&coarse, lateral).1);
     assert_eq!(warnings, [Warning::None, Warning::ProfileCoarse]);

@@ -22,7 +22,7 @@ use crate::ffi::wheel_rail::*;
 ///                        this distance [m], >= 0; at least four distances of the
 ///                        points, 2 to 4 mm for measured profiles; 0: a profile of 320 points or
 ///                        more goes through all of them, one of fewer than 234 is smoothed over
-///                        six of their distances, and one of a number between these over less. A
+///                        four of their distances, and one of a number between these over less. A
 ///                        length below that of two distances has no effect.
 /// @param[out] surface    receives the profile.
 /// @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
