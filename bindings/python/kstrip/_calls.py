@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mmap
 import sys
 from typing import Any, Callable, Iterable, Optional, Sequence
 
@@ -96,6 +97,20 @@ def many(name: str, single: bool, shape: Shape, fixed: Iterable[Any], inputs: It
         if after is not None:
             after(first, size)
     worst.report(shape)
+
+
+def lazy(shape: Shape, dtype: np.dtype[Any]) -> Plain:
+    """Zeros, of which only what is written to takes memory and time: where the system can, in small pages (numpy asks for large ones, and the
+    system then clears 2 MiB at a time)."""
+    size = size_of(shape) * dtype.itemsize
+    if not size or not hasattr(mmap, "MADV_NOHUGEPAGE"):
+        return np.zeros(shape, dtype)
+    memory = mmap.mmap(-1, size, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
+    try:
+        memory.madvise(mmap.MADV_NOHUGEPAGE)
+    except OSError:
+        pass
+    return np.frombuffer(memory, dtype).reshape(shape)
 
 
 def out(name: str, shape: Shape, single: bool) -> tuple[NDArray[np.void], int]:

@@ -7,7 +7,7 @@ from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Unio
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._calls import PART, Strided, call, many, out, real, size_of
+from ._calls import PART, Strided, call, lazy, many, out, real, size_of
 from ._inputs import Model, Plain, Shape, broadcast, count_of, flat, floats, is_single, one, options, record, records
 from ._library import constants, dtypes
 from ._types import Friction, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
@@ -131,14 +131,14 @@ def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: Whee
     of_contact = wheels.memory.dtype["contacts"].base
     # (numpy copies memory faster than structures)
     met: Plain = np.zeros((PART, room), np.dtype((np.void, of_contact.itemsize)))
-    kept = np.zeros((size_of(shape), 0), met.dtype)
+    kept: Plain = np.zeros((size_of(shape), 0), met.dtype)
 
     def keep(first: int, size: int) -> None:
         nonlocal kept
         counts = wrench[0]["contacts"][first : first + size]
         most = int(counts.max(initial=0))
         if most > kept.shape[1]:
-            before, kept = kept, np.zeros((len(kept), most), met.dtype)
+            before, kept = kept, lazy((len(kept), most), met.dtype)
             kept[:first, : before.shape[1]] = before[:first]
         for number in range(most):
             has = counts > number

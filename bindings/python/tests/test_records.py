@@ -7,6 +7,7 @@ import os
 import pathlib
 import pickle
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -14,6 +15,13 @@ import unittest
 import unittest.mock
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
+
+try:
+    import fcntl
+    import pty
+    import termios
+except ImportError:  # (Windows)
+    pty = None
 
 import numpy as np
 
@@ -139,6 +147,44 @@ class Records(unittest.TestCase):
             bar = _calls.progress(5000, "a sweep")
             # (what takes less than two seconds shows nothing)
             self.assertEqual((sum(bar), bar.delay, terminal.getvalue()), (4999 * 2500, 2.0, ""))
+
+    def on_a_terminal(self, program, until=None):
+        """What a program writes to a terminal of its own, and its exit status; ended at once when that has appeared."""
+        terminal, end = pty.openpty()
+        fcntl.ioctl(end, termios.TIOCSWINSZ, struct.pack("4H", 24, 100, 0, 0))
+        with subprocess.Popen([sys.executable, "-c", program], cwd=FOLDER, stdin=end, stdout=end, stderr=end,
+                              env={**os.environ, "TERM": "xterm"}) as child:
+            os.close(end)
+            shown = b""
+            try:
+                while until is None or until not in shown:
+                    shown += os.read(terminal, 4096)
+            except OSError:
+                # (a terminal that nobody writes to any more)
+                pass
+            else:
+                child.kill()
+            os.close(terminal)
+        return shown.decode(errors="replace"), child.returncode
+
+    @unittest.skipIf(pty is None, "SKIPPED: the progress bar on a terminal, because there are no pseudoterminals")
+    def test_a_sweep_on_a_terminal_shows_its_bar_and_needs_no_tqdm(self):
+        sweep = """
+import sys
+{before}
+import numpy as np
+import kstrip, wheel_on_rail as scene
+place = kstrip.wheel_position(lateral=np.linspace(-0.011, -0.009, {count}))
+heights = kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place, 8e4)
+print("answers:", np.isfinite(heights).sum())
+"""
+        # Without tqdm, and in less than two seconds: nothing but the result
+        self.assertEqual(self.on_a_terminal(sweep.format(before="sys.modules['tqdm'] = None", count=1200)), ("answers: 1200\r\n", 0))
+        if importlib.util.find_spec("tqdm") is None:
+            self.skipTest("SKIPPED: the progress bar of the Python binding, because there is no tqdm")
+        # So many that no machine is done before two seconds
+        shown, _ = self.on_a_terminal(sweep.format(before="", count=100_000), b"it/s")
+        self.assertRegex(shown, r"heights_for_loads: +\d+%.*\| \d+/1000 \[00:0[2-9]<")
 
     def test_help_is_a_page_and_everything_has_one(self):
         missing = [name for name in kstrip.__all__ if not hasattr(kstrip, name)]
