@@ -60,6 +60,11 @@
 
 #![no_std]
 #![deny(missing_docs, unsafe_code)]
+// What only abilities use that are left out.
+#![cfg_attr(
+    not(all(feature = "batch", feature = "fit", feature = "patches", feature = "wheels")),
+    allow(dead_code, unused_imports)
+)]
 
 pub mod batch;
 pub mod contact;

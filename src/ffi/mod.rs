@@ -22,15 +22,18 @@ mod constants;
 mod prepared;
 mod support;
 
+#[cfg(feature = "batch")]
 pub mod batch;
 pub mod double;
 pub mod inside;
+#[cfg(feature = "patches")]
 pub mod patch;
-pub mod rig;
 pub mod single;
 pub mod solve;
 pub mod types;
+#[cfg(feature = "wheels")]
 pub mod wheel_rail;
+#[cfg(feature = "wheels")]
 mod wheelset;
 
 pub use self::constants::*;

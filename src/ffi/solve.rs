@@ -49,7 +49,9 @@ pub(super) fn evaluate<F: Float>(
     options: Option<&kstrip_options>,
     places: OutputPlaces<F>,
 ) -> Result<Warning, Error> {
-    let (forces, inside) = (for_forces(options)?, for_strips(options)?);
+    let forces = for_forces(options)?;
+    // (of a library without the model of the strips no other call needs them)
+    let inside = if places.strips.is_some() { for_strips(options)? } else { forces };
     // By reference: avoids a copy of 200 bytes on the stack.
     let (differentiated, under_law, nothing, alone);
     let (solution, friction, slopes) = if places.differentiates() {

@@ -4,6 +4,10 @@ pub(super) use super::arrays::{
     Strided, each_element, element, input, is_aligned, output, place, read,
 };
 use super::constants::KSTRIP_MODEL_DEFAULT;
+pub(super) use super::constants::{
+    KSTRIP_FIT_DECAY, KSTRIP_FIT_FRICTION, KSTRIP_FIT_LAYER, KSTRIP_FIT_RATIO,
+    KSTRIP_FIT_SLIDE_FACTOR, KSTRIP_FIT_SLOPE_FACTOR,
+};
 pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
 pub(super) use super::types::*;
 pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};

@@ -217,6 +217,8 @@ pub(crate) fn differentiate_with_law_checked<F: Float>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
+    // (a library without laws has accepted none)
+    let law = law.filter(|_| SlipFriction::<F>::HAS_LAW);
     let under;
     let (contact, warning) = match law {
         Some(law) => {

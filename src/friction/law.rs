@@ -47,15 +47,18 @@ pub(crate) struct FrictionSlopes<F> {
 }
 
 impl<F: Float> SlipFriction<F> {
+    /// Whether the library was built with laws of friction (feature `law`).
+    pub const HAS_LAW: bool = cfg!(feature = "law");
     /// Whether the library was built with layers and slide factors (feature `layer`).
     pub const HAS_LAYER: bool = cfg!(feature = "layer");
 
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
     /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`],
-    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::Model`] for a layer or a slide factor
-    /// that the library was built without.
+    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::Model`] for a law, a layer or a slide
+    /// factor that the library was built without.
     pub fn check(&self) -> Result<(), Error> {
+        Error::Model.unless(Self::HAS_LAW)?;
         let Self { friction, ratio, decay, rolling_speed, .. } = *self;
         let Self { slope_factor, slide_factor, layer, .. } = *self;
         let inputs = [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer];

@@ -80,7 +80,9 @@ fn arrows_of_files() -> Arrows {
     let mut arrows = Arrows::new();
     for (module, file) in &modules {
         let lines = read(file);
-        let code = lines.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let beside =
+            |line: &&str| ["//", "#[cfg("].iter().any(|mark| line.trim_start().starts_with(mark));
+        let code = lines.lines().filter(|line| !beside(line));
         let code: String = code.collect::<Vec<_>>().join("\n");
         let code: String = code.split_inclusive(';').filter(|part| !exports(part)).collect();
         for path in paths(&code) {

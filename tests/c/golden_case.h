@@ -219,8 +219,8 @@ static void NAME(patch)(uint64_t *hash, const NAME(kstrip_patch) *patch, const N
     }
 }
 
-/* Friction that falls with the slip, of a contact and, unless it is NULL, of a patch. */
-static void NAME(falling)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+/* Friction that falls with the slip, of a contact and, unless it is NULL, of a patch, in the hash of patches. */
+static void NAME(falling)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NAME(kstrip_contact) *c,
                           const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
                           const kstrip_options *o)
 {
@@ -254,9 +254,9 @@ static void NAME(falling)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact)
     if (!patch)
         return;
     status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
-    NAME(add_derivatives)(hash, status, &r, &d, &by_law);
+    NAME(add_derivatives)(of_patch, status, &r, &d, &by_law);
     if (status >= 0)
-        NAME(add)(hash, found);
+        NAME(add)(of_patch, found);
 }
 
 /* Forces at rest and without spin, lateral or longitudinal creepage; strips. */
@@ -323,8 +323,9 @@ static void NAME(behind)(uint64_t *hash, kstrip_status status, const NAME(kstrip
     }
 }
 
-/* A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls. The law is fitted to its own forces. */
-static void NAME(layer)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *c,
+/* A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls. The law is fitted to its own forces.
+ * The patch counts in its hash. */
+static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NAME(kstrip_contact) *c,
                         const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
                         const kstrip_options *o)
 {
@@ -365,7 +366,7 @@ static void NAME(layer)(uint64_t *hash, uint32_t i, const NAME(kstrip_contact) *
     if (patch) {
         all.derivatives = &d, all.law_derivatives = &by_law;
         status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
-        NAME(behind)(hash, status, &r, &d, &by_law, found);
+        NAME(behind)(of_patch, status, &r, &d, &by_law, found);
         all.derivatives = NULL, all.law_derivatives = NULL;
     }
     for (n = 0, count = 0; n < 6; n++) {
@@ -417,10 +418,10 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side
             const int built = NAME(build)(&hashes[PATCHES], i, &c, &o, &p) >= 0;
             if (built)
                 NAME(patch)(&hashes[PATCHES], &p, &k, &o);
-            NAME(falling)(&hashes[FRICTION], i, &c, built ? &p : NULL, &k, &o);
+            NAME(falling)(&hashes[FRICTION], &hashes[PATCHES], i, &c, built ? &p : NULL, &k, &o);
             NAME(special)(&hashes[SPECIAL], &c, &k, &o);
             NAME(rig)(&hashes[RIG], i, &c, &k, &o, &r);
-            NAME(layer)(&hashes[LAYER], i, &c, built ? &p : NULL, &k, &o);
+            NAME(layer)(&hashes[LAYER], &hashes[PATCHES], i, &c, built ? &p : NULL, &k, &o);
         }
     }
 }

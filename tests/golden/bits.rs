@@ -198,10 +198,10 @@ impl<F: Bits> Case<'_, F> {
             if let Some(patch) = &patch {
                 self.patch(patches, patch);
             }
-            self.falling(friction, patch.as_ref());
+            self.falling([friction, &mut *patches], patch.as_ref());
             self.special(special);
             self.rig(rig, &r.expect("ordinary inputs"));
-            self.layer(layer, patch.as_ref());
+            self.layer([layer, patches], patch.as_ref());
         }
     }
 
@@ -310,8 +310,8 @@ impl<F: Bits> Case<'_, F> {
         }
     }
 
-    /// Friction that falls with the slip.
-    fn falling(&self, hash: &mut Hash, patch: Option<&Full<F>>) {
+    /// Friction that falls with the slip: of the contact, and of the patch in its hash.
+    fn falling(&self, [hash, of_patch]: [&mut Hash; 2], patch: Option<&Full<F>>) {
         let Self { contact, creepage, options, .. } = *self;
         let law = SlipFriction {
             friction: part(5 + self.draw(30, 60), 100.0),
@@ -335,9 +335,9 @@ impl<F: Bits> Case<'_, F> {
         let Some(patch) = patch else { return };
         let view = patch.view().expect("as it was built");
         let found = patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
-        hash.derivatives(&found);
+        of_patch.derivatives(&found);
         if let Ok(found) = found {
-            hash.add(&[found.friction]);
+            of_patch.add(&[found.friction]);
         }
     }
 
@@ -380,8 +380,8 @@ impl<F: Bits> Case<'_, F> {
     }
 
     /// A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls.
-    /// The law is fitted to its own forces.
-    fn layer(&self, hash: &mut Hash, patch: Option<&Full<F>>) {
+    /// The law is fitted to its own forces. The patch counts in its hash.
+    fn layer(&self, [hash, of_patch]: [&mut Hash; 2], patch: Option<&Full<F>>) {
         let Self { i, contact, creepage, options } = *self;
         let (kind, zero) = (i / 5 % 3, F::zero());
         let mut law = SlipFriction {
@@ -409,7 +409,7 @@ impl<F: Bits> Case<'_, F> {
         if let Some(view) = patch.and_then(|patch| patch.view().ok()) {
             let found =
                 patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
-            self.behind(hash, found);
+            self.behind(of_patch, found);
         }
         let points: Vec<_> = (1..=6)
             .filter_map(|n| {

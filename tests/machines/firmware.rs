@@ -37,6 +37,7 @@ fn firmware_gives_the_bits_of_this_machine() {
     assert!(output.status.success(), "scripts/firmware.sh quick:\n{text}{errors}");
     assert!(text.contains("mps2-an386: self-test bit for bit"), "{text}");
     assert!(text.contains("mps2-an500: self-test bit for bit"), "{text}");
+    assert!(text.contains("what was left out is KSTRIP_ERROR_MODEL"), "{text}");
     // The archive in the layouts of Arduino, Zephyr and CMSIS, each linked with an example.
     let output = Command::new("sh")
         .args(["scripts/firmware_package.sh", "test"])

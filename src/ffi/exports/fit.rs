@@ -1,0 +1,71 @@
+//! Test rigs: a law of friction from a measured creep curve.
+
+use super::F;
+use crate::ffi::support::*;
+
+/// Which parameters are fitted.
+fn fitted(parameters: u32) -> Result<Fitted, Error> {
+    Error::FitParameters.unless(parameters < 2 * KSTRIP_FIT_LAYER)?;
+    let parts = [
+        KSTRIP_FIT_FRICTION,
+        KSTRIP_FIT_RATIO,
+        KSTRIP_FIT_DECAY,
+        KSTRIP_FIT_SLOPE_FACTOR,
+        KSTRIP_FIT_SLIDE_FACTOR,
+        KSTRIP_FIT_LAYER,
+    ];
+    Ok(parts.map(|part| parameters & part != 0))
+}
+
+/// The law of friction that comes nearest to a measured creep curve.
+///
+/// The sum of the squared differences between measured and computed forces, each times the weight
+/// of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
+/// measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
+/// Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
+/// start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
+/// are those of the law: a member that ends at its bound has a standard error of 0.
+///
+/// Points that lie on one part of the curve do not determine each parameter: creepages below one
+/// per cent only bound friction from below, and without the start of the curve slope factor and
+/// layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
+/// one per cent, or their actual errors if these are larger, a parameter would be uncertain by more
+/// than half of its value. Layer and slope factor have nearly the same effect; fit one of them.
+///
+/// @param contact         ellipse, load, material of all points; its friction is ignored.
+/// @param points, count   the measured points.
+/// @param start           where to begin, and the members that stay.
+/// @param parameters      which members to fit: KSTRIP_FIT constants, added.
+/// @param options         model and strip count; NULL for the defaults.
+/// @param[out] fit        receives the law and its standard errors.
+/// @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
+///                        NULL: not requested.
+/// @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED;
+///         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
+///         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
+///         kstrip_evaluate().
+#[unsafe(export_name = symbol!("kstrip_fit_friction"))]
+pub unsafe extern "C" fn kstrip_fit_friction(
+    contact: Option<&Contact<F>>,
+    points: *const MeasuredForce<F>,
+    count: u32,
+    start: Option<&SlipFriction<F>>,
+    parameters: u32,
+    options: Option<&kstrip_options>,
+    fit: Option<&mut MaybeUninit<FrictionFit<F>>>,
+    first_bad: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or count elements, says the header.
+    let points = unsafe { input(points, count) };
+    answer(|| {
+        let (contact, start, fit) = (given(contact)?, given(start)?, given(fit)?);
+        let (points, options) = (points?, for_forces(options)?);
+        let found = fitted(parameters)
+            .map_err(|error| (points.len(), error))
+            .and_then(|fitted| rig::fit::fit_friction(contact, points, start, fitted, &options));
+        put(first_bad, found.as_ref().err().map_or(count, |(i, _)| *i as u32));
+        let found = found.map_err(|(_, error)| error)?;
+        fit.write(found);
+        Ok(found.warning)
+    })
+}
