@@ -617,8 +617,9 @@ typedef struct kstrip_result {
  * Forces of a contact in motion, on the lower body: the fast path.
  *
  * The forces are continuous in all inputs, and |F| <= mu N. They are zero where creepage and spin
- * are zero, and where the contact is lost (normal_force <= 0), with adhesion 0. The time is
- * bounded: every iteration has a largest number of steps.
+ * are zero, and where the contact is lost (normal_force <= 0), with adhesion 0. The forces of
+ * KSTRIP_MODEL_LINEAR have no such bound, and for given semi-axes do not change with the load
+ * until the contact is lost. The time is bounded: every iteration has a largest number of steps.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.

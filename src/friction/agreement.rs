@@ -15,6 +15,9 @@ const PATIENCE: usize = 6;
 /// which it falls with each step.
 const CAUTION: f64 = 0.25;
 const LESS: f64 = 0.7;
+/// Bound of `g'` below which there is one solution. (It holds for strips; what TOTAL loses of its
+/// slip may fall a little faster.)
+const STEEP: f64 = 0.75;
 
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
@@ -48,7 +51,7 @@ impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
         // g' ≤ B V s_max (g − A μ₀)/μ
         let steepness =
             (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
-        if steepness < F::one() {
+        if steepness < F::of(STEEP) {
             let between = Bracket { positive: least, negative: largest };
             let (friction, settled) = self.between(between, high - largest, high)?;
             return Ok((friction, if settled { Warning::None } else { Warning::NotConverged }));
