@@ -9,6 +9,7 @@ use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, seen_from};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
+use heapless::Vec;
 
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so
 /// that the squares of its creepages fit an `f32`.
@@ -79,33 +80,43 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
             let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
             let mut seen = [(none, T::zero()); 8];
             let mut inner = [F::zero(); 8];
-            let mut shifts = [(zero, None::<ZoneSplit<T>>); 8];
-            let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut shifts);
-            for (k, (((strip, seen), inner), shift)) in strips.enumerate() {
+            // what successive strips have in common, and which of these a strip has
+            let mut shifts: Vec<(T, Option<ZoneSplit<T>>), 8> = Vec::new();
+            let mut which = [usize::MAX; 8];
+            let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut which);
+            for (k, (((strip, seen), inner), which)) in strips.enumerate() {
                 let i = 8 * g + k;
                 let x = strip.centre_x;
-                let own = of_lobe.or_else(|| view.zone(first + i));
-                let Some(zone) = own else { continue };
-                let same = in_lobe && of_lobe.is_some();
-                if !known.as_ref().is_some_and(|law| same || zone.nearly_equals(&law.zone)) {
-                    // So that the slopes are those of the linear theory for any quadrature.
-                    (known, last) = (Some(ZoneLaw::new(&zone, [area, lever])), None);
+                if !in_lobe || of_lobe.is_none() {
+                    let own = of_lobe.or_else(|| view.zone(first + i));
+                    let Some(zone) = own else { continue };
+                    if !known.as_ref().is_some_and(|law| zone.nearly_equals(&law.zone)) {
+                        // So that the slopes are those of the linear theory for any quadrature.
+                        (known, last) = (Some(ZoneLaw::new(&zone, [area, lever])), None);
+                    }
+                    in_lobe = true;
                 }
-                in_lobe = true;
                 let Some(law) = &known else { continue };
                 let own = view.own(first + i);
-                if own.is_some() || last.as_ref().is_none_or(|last| last.x != x) {
+                let changes = own.is_some() || last.as_ref().is_none_or(|last| last.x != x);
+                if changes {
                     let creepage = seen_from(&slip.creepage, strip, own.as_ref());
                     last = Some(law.see(slip, &creepage, x));
                 }
                 let Some(found) = &last else { continue };
-                *shift = (found.shift, found.split);
+                if changes || shifts.is_empty() {
+                    let _ = shifts.push((found.shift, found.split));
+                }
+                *which = shifts.len() - 1;
                 *seen = found.law.strip(&law.units.geometry(strip, strip.width * widths.per_mean));
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
                 *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
             }
-            let found = eight_strips(&seen, inner).into_iter().zip(shifts);
-            for (k, (strip, (found, (shift, split)))) in group.iter().zip(found).enumerate() {
+            let found = eight_strips(&seen, inner).into_iter().zip(which);
+            for (k, (strip, (found, which))) in group.iter().zip(found).enumerate() {
+                let (shift, split) = shifts
+                    .get(which)
+                    .map_or((zero, None), |(shift, split)| (*shift, split.as_ref()));
                 let stick = found.stick.value();
                 let mut share = Share::new(strip, &found, stick, stick > F::zero());
                 if let Some(split) = split {
