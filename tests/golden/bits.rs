@@ -472,7 +472,7 @@ fn hashes_of_rust(counts: &[u32]) -> String {
     let blocks: Vec<_> = std::thread::scope(|scope| {
         let part = |worker: u32| worker * counts[0] / workers;
         let parts: Vec<_> = (0..workers)
-            .map(|worker| (part(worker)..part(worker + 1)))
+            .map(|worker| part(worker)..part(worker + 1))
             .map(|blocks| scope.spawn(|| blocks.map(hash_block).collect::<Vec<_>>()))
             .collect();
         parts.into_iter().flat_map(|part| part.join().expect("hashes")).collect()
