@@ -62,7 +62,7 @@ int main(void)
         x[i] = (i - ROWS / 2) * step;
     for (int j = 0; j < COLUMNS; j++)
         y[j] = (j - COLUMNS / 2) * step / 2;
-    check(kstrip_field(&contact, &motion, NULL, x, ROWS, y, COLUMNS, map, ROWS * COLUMNS));
+    check(kstrip_field(&contact, &motion, NULL, NULL, x, ROWS, y, COLUMNS, map, ROWS * COLUMNS));
     printf("\nStick and slip at %.2f %% longitudinal creepage, spin %.2f 1/m\n"
            "  # stick   . slip   - slip against the traction\n\n"
            "%*s\n", motion.longitudinal * 100, motion.spin, COLUMNS / 2 + 24,

@@ -51,7 +51,7 @@ int main(void)
         x[i] = contact.a * (2 * i + 1 - N) / N;
         y[i] = contact.b * (2 * i + 1 - N) / N;
     }
-    check(kstrip_field(&contact, &motion, &options, x, N, y, N, field, N * N));
+    check(kstrip_field(&contact, &motion, NULL, &options, x, N, y, N, field, N * N));
     const double cell = 4 * contact.a * contact.b / N / N; /* m^2 */
     printf("\nfield  x [mm]    y [mm]  pressure [MPa]   X [MPa]   Y [MPa]     slip_x     slip_y\n");
     for (int j = 0; j < N; j++) {

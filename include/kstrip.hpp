@@ -1013,13 +1013,13 @@ KSTRIP_HPP_BOTH(point)
 
 /// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
-status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep, const options &how,
-             detail::only<lengths<T>> x, detail::only<lengths<T>> y,
+status field(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
+             const detail::only<basic_friction<T>> *law, const options &how, detail::only<lengths<T>> x, detail::only<lengths<T>> y,
              detail::only<span<basic_point<T>>> to) noexcept
 {
     if (!detail::fits(x.size()) || !detail::fits(y.size()))
         return status::error_capacity;
-    return KSTRIP_HPP_CALL(kstrip_field, &ellipse, &creep, &how, x.data(), detail::capacity(x.size()), y.data(),
+    return KSTRIP_HPP_CALL(kstrip_field, &ellipse, &creep, law, &how, x.data(), detail::capacity(x.size()), y.data(),
                            detail::capacity(y.size()), to.data(), detail::capacity(to.size()));
 }
 
@@ -1157,13 +1157,13 @@ status evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>
 
 /// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
-status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
-             detail::only<lengths<T>> x, detail::only<lengths<T>> y,
+status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
+             const detail::only<basic_friction<T>> *law, const options &how, detail::only<lengths<T>> x, detail::only<lengths<T>> y,
              detail::only<span<basic_point<T>>> to) noexcept
 {
     if (!detail::fits(x.size()) || !detail::fits(y.size()))
         return status::error_capacity;
-    return KSTRIP_HPP_CALL(kstrip_patch_field, &area, &creep, &how, x.data(), detail::capacity(x.size()), y.data(),
+    return KSTRIP_HPP_CALL(kstrip_patch_field, &area, &creep, law, &how, x.data(), detail::capacity(x.size()), y.data(),
                            detail::capacity(y.size()), to.data(), detail::capacity(to.size()));
 }
 
@@ -1225,10 +1225,10 @@ std::vector<basic_strip<T>> strips(const Area<T> &area, const detail::only<basic
 template <template <class> class Area, class T>
 std::vector<basic_point<T>> field(const Area<T> &area, const detail::only<basic_creepage<T>> &creep, const options &how,
                                   detail::only<lengths<T>> x,
-                                  detail::only<lengths<T>> y)
+                                  detail::only<lengths<T>> y, const detail::only<basic_friction<T>> *law = nullptr)
 {
     std::vector<basic_point<T>> to(x.size() * y.size());
-    detail::check(field(area, creep, how, x, y, to));
+    detail::check(field(area, creep, law, how, x, y, to));
     return to;
 }
 #endif

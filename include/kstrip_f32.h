@@ -409,6 +409,7 @@ typedef struct kstrip_point_f32 {
 /** kstrip_field() in single precision. */
 kstrip_status kstrip_field_f32(const struct kstrip_contact_f32 *contact,
                                const struct kstrip_creepage_f32 *creepage,
+                               const struct kstrip_friction_f32 *friction,
                                const struct kstrip_options *options,
                                const float *x,
                                uint32_t columns,
@@ -539,6 +540,7 @@ kstrip_status kstrip_patch_evaluate_f32(const struct kstrip_patch_f32 *patch,
 /** kstrip_patch_field() in single precision. */
 kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
                                      const struct kstrip_creepage_f32 *creepage,
+                                     const struct kstrip_friction_f32 *friction,
                                      const struct kstrip_options *options,
                                      const float *x,
                                      uint32_t columns,

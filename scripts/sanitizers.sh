@@ -89,7 +89,7 @@ int main(void)
     const kstrip_creepage creepage = {1e-3, 0, 0};
     const double x[2] = {0, 1e-3}, y[1] = {0};
     kstrip_point points[3];
-    return kstrip_field(&contact, &creepage, NULL, x, 3, y, 1, points, 3);
+    return kstrip_field(&contact, &creepage, NULL, NULL, x, 3, y, 1, points, 3);
 }
 C
     # shellcheck disable=SC2086

@@ -795,10 +795,12 @@ module kstrip
       end function
 
       !> Pressure, traction, slip and state over a grid; one point is a grid of one.
-      integer(c_int32_t) function kstrip_field(contact, creepage, options, x, columns, y, rows, points, capacity) bind(c)
+      integer(c_int32_t) function kstrip_field(contact, creepage, friction, options, x, columns, y, &
+         rows, points, capacity) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
          type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_options), intent(in), optional :: options
          real(c_double), intent(in) :: x(*)
          integer(c_int32_t), value :: columns
@@ -853,10 +855,12 @@ module kstrip
       end function
 
       !> Pressure, traction, slip and state of a patch over a grid.
-      integer(c_int32_t) function kstrip_patch_field(patch, creepage, options, x, columns, y, rows, points, capacity) bind(c)
+      integer(c_int32_t) function kstrip_patch_field(patch, creepage, friction, options, x, &
+         columns, y, rows, points, capacity) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch
          type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_options), intent(in), optional :: options
          real(c_double), intent(in) :: x(*)
          integer(c_int32_t), value :: columns

@@ -188,7 +188,7 @@ static kstrip_status point(const kstrip_contact_f32 *c, const kstrip_creepage_f3
     const kstrip_options options = {model, 16};
     const float x = 0.3f * c->a, y = 0.4f * c->b;
     static kstrip_point_f32 at;
-    return kstrip_field_f32(c, k, &options, &x, 1, &y, 1, &at, 1);
+    return kstrip_field_f32(c, k, NULL, &options, &x, 1, &y, 1, &at, 1);
 }
 
 static kstrip_status point_strip(const kstrip_contact_f32 *c, const kstrip_creepage_f32 *k)

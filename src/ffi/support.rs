@@ -21,8 +21,9 @@ pub(super) use crate::forces::prepared::Prepared;
 pub(super) use crate::forces::theory::{
     EllipseStrips, Linear, Strip1967, Theory, Total, solution_of,
 };
-pub(super) use crate::forces::{self, Field, Model, Options, Solution, StripResult};
+pub(super) use crate::forces::{self, Model, Options, Solution, StripResult};
 pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate_with_law};
+pub(super) use crate::friction::field::LawField;
 pub(super) use crate::friction::{self, SlipFriction};
 pub(super) use crate::linear::LinearCoefficients;
 pub(super) use crate::motion::{self, Motion};

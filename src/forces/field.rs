@@ -176,15 +176,19 @@ impl<F: Float> Field<F> {
     /// The state at `x` \[m\] of a strip of [`Field::strip_at`].
     #[must_use]
     pub fn along(&self, strip: Option<&FieldStrip<F>>, x: F) -> FieldPoint<F> {
+        FieldPoint::new(&self.contact, &self.point_along(strip, x))
+    }
+
+    /// The same without dimensions.
+    pub(crate) fn point_along(&self, strip: Option<&FieldStrip<F>>, x: F) -> StripPoint<F> {
         let x = x / self.contact.a;
-        let point = match (strip, &self.law) {
+        match (strip, &self.law) {
             (Some(FieldStrip::Strip1967(strip)), _) => strip.at(x),
             (Some(FieldStrip::Strip(geometry)), Tractions::Strip(strips)) => {
                 strip_point(strips, geometry, geometry.half_length, x)
             }
             _ => StripPoint::outside(),
-        };
-        FieldPoint::new(&self.contact, &point)
+        }
     }
 }
 

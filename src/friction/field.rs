@@ -1,14 +1,9 @@
 //! Pressure, traction and slip at points of a contact under a law of friction.
 //!
 //! The contact has the friction that agrees with the slip and the stiffness of the law. Behind a
-//! layer traction and slip are the means of those of half-spaces and of bristles. The half-spaces
-//! have the creepages times a factor each, hence their slip has it as well. A bristle that slides
-//! keeps the bound `g`:
-//!
-//! ```text
-//! t = n g,   slip = n (s·n − dg/du),   dg/du = x/g
-//! ```
+//! layer points are those between half-spaces and bristles ([`behind`](super::behind)).
 
+use super::behind::StripBehind;
 use super::layered::ThroughLayer;
 use super::{SlipFriction, check_with_law, contact_with_law_checked};
 use crate::contact::Contact;
@@ -19,13 +14,8 @@ use crate::layer::bristles::Rates;
 use crate::layer::{Layer, Split};
 use crate::number::Float;
 use crate::status::{Error, Warning};
-use crate::strip_1967::strip::State;
 
 /// The field of a contact under a law, ready to be evaluated at points.
-///
-/// Behind a layer the dissipation of a point is the product of two means, so that its sum over the
-/// contact differs from the power of the solution, by up to 0.22 of friction times load times rigid
-/// slip. The tractions add up to the forces within 0.01 of friction times load.
 #[derive(Clone, Copy, Debug)]
 pub struct LawField<F: Float> {
     contact: Contact<F>,
@@ -40,8 +30,9 @@ pub struct LawField<F: Float> {
 struct Behind<F> {
     layer: Layer<F>,
     split: Split<F>,
-    /// Creepage divided by its rate.
-    units: [F; 2],
+    /// The creepage of both, and that of the half-spaces.
+    whole: Creepage<F>,
+    seen: Creepage<F>,
     /// Whether there are bristles, or a slide factor only.
     has_bristles: bool,
 }
@@ -50,8 +41,9 @@ struct Behind<F> {
 #[derive(Clone, Copy, Debug)]
 pub struct LawStrip<F: Float> {
     half_spaces: Option<FieldStrip<F>>,
-    /// Rates, and half length divided by that of the contact, of its bristles.
-    bristles: Option<(Rates<F>, F)>,
+    /// Half length divided by that of the contact.
+    c: F,
+    behind: Option<StripBehind<F>>,
 }
 
 impl<F: Float> LawField<F> {
@@ -81,12 +73,11 @@ impl<F: Float> LawField<F> {
         let through = ThroughLayer { law, creepage, options };
         let (layer, split, seen, has_bristles) = through.split_of(&contact);
         let like = Contact { mismatch: F::zero(), ..contact };
-        let half_spaces = Field::new(&like, &split.half_spaces(&seen), options)?;
-        let scale = contact.slip_scale().times(core::f64::consts::PI / 3.0);
-        let [x, y, _] = split.bend;
-        let units = [scale / x, scale / y];
+        let seen_by_half_spaces = split.half_spaces(&seen);
+        let half_spaces = Field::new(&like, &seen_by_half_spaces, options)?;
+        let (whole, seen) = (seen, seen_by_half_spaces);
         Ok(Self {
-            behind: Some(Behind { layer, split, units, has_bristles }),
+            behind: Some(Behind { layer, split, whole, seen, has_bristles }),
             half_spaces,
             ..clean
         })
@@ -98,35 +89,32 @@ impl<F: Float> LawField<F> {
         let half_spaces = self.half_spaces.strip_at(y);
         let place = y / self.contact.b;
         let c = ((F::one() - place) * (F::one() + place)).max(F::zero()).sqrt();
-        let bristles = self.behind.as_ref().filter(|behind| behind.has_bristles);
-        let bristles = bristles.filter(|_| half_spaces.is_some());
-        let bristles = bristles.map(|of| (of.layer.rates_at(of.split.rates, place, c), c));
-        LawStrip { half_spaces, bristles }
+        let behind = self.behind.as_ref().filter(|_| half_spaces.is_some());
+        let behind = behind.map(|behind| {
+            let Behind { layer, split, whole, seen, has_bristles } = behind;
+            let rigid = |of: &Creepage<F>| Rates {
+                x: of.longitudinal - of.spin * y,
+                y: of.lateral,
+                spin: of.spin * (c * self.contact.a),
+            };
+            StripBehind {
+                rigid: rigid(whole),
+                half_spaces: rigid(seen),
+                bristles: has_bristles.then(|| layer.rates_at(split.rates, place, c)),
+                weight: split.weight,
+            }
+        });
+        LawStrip { half_spaces, c, behind }
     }
 
     /// The state at `x` \[m\] of a strip.
     #[must_use]
     pub fn along(&self, strip: &LawStrip<F>, x: F) -> FieldPoint<F> {
-        let mut point = self.half_spaces.along(strip.half_spaces.as_ref(), x);
-        let Some(behind) = self.behind.as_ref().filter(|_| point.state != State::Outside) else {
-            return point;
-        };
-        let [by_x, by_y, _] = behind.split.factors;
-        (point.slip_x, point.slip_y) = (point.slip_x / by_x, point.slip_y / by_y);
-        if let Some((rates, c)) = &strip.bristles {
-            let bound = self.contact.friction * self.contact.peak_pressure() * *c;
-            let found = rates.at(x / (self.contact.a * *c));
-            let [to_x, to_y] = behind.units;
-            let mean = |of: F, bristles: F| of + (bristles - of) * behind.split.weight;
-            point.traction_x = mean(point.traction_x, found.traction[0] * bound);
-            point.traction_y = mean(point.traction_y, found.traction[1] * bound);
-            point.slip_x = mean(point.slip_x, found.slip[0] * to_x);
-            point.slip_y = mean(point.slip_y, found.slip[1] * to_y);
-            if found.slides && point.state == State::Stick {
-                point.state = State::Slip;
-            }
-        }
-        point.dissipation = point.traction_x * point.slip_x + point.traction_y * point.slip_y;
-        point
+        let point = self.half_spaces.point_along(strip.half_spaces.as_ref(), x);
+        let point = strip.behind.as_ref().map_or(point, |behind| {
+            let units = [strip.c, self.contact.slip_scale()];
+            behind.mean(&point, x / (self.contact.a * strip.c), units)
+        });
+        FieldPoint::new(&self.contact, &point)
     }
 }

@@ -303,6 +303,12 @@ impl<T: Arithmetic> Rates<T> {
 }
 
 impl<F: Float> Rates<F> {
+    /// Their size at `x`.
+    pub fn size_at(&self, x: F) -> F {
+        let y = self.y + self.spin * x;
+        (self.x * self.x + y * y).sqrt()
+    }
+
     /// The traction at `x`, from the [`ROWS`], and whether the bristle sticks there.
     pub fn traction(&self, rows: impl Iterator<Item = [F; 9]>, x: F) -> ([F; 2], bool) {
         let (zero, one) = (F::zero(), F::one());

@@ -110,8 +110,6 @@ pub(crate) struct Split<T> {
     pub factors: [T; 3],
     /// Rates of the bristles: of `υx`, of `υy`, of spin at the half length `a`.
     pub rates: [T; 3],
-    /// Rates divided by the creepages `vx, vy, φ`.
-    pub bend: [T; 3],
     /// Weight of the bristles.
     pub weight: T,
 }
@@ -183,12 +181,11 @@ impl<F: Real> Layer<F> {
         let factors = T::each(&[k1, k2, ks], |k| slide * (*k + (k1 - *k) * fade));
         let [[x, y, z], [far_x, far_y, far_z]] = self.rates;
         let (bent, slid) = ([k1.scale(x), k2.scale(y), ks.scale(z)], [far_x, far_y, far_z]);
-        let (mut rates, mut bend) = ([vx, vy, phi], bent);
-        for ((rate, bend), slid) in rates.iter_mut().zip(&mut bend).zip(slid) {
-            *bend = slide * (*bend + (k1.scale(slid) - *bend) * fade);
-            *rate = *rate * *bend;
+        let mut rates = [vx, vy, phi];
+        for ((rate, bent), slid) in rates.iter_mut().zip(bent).zip(slid) {
+            *rate = *rate * (slide * (bent + (k1.scale(slid) - bent) * fade));
         }
-        Split { factors, rates, bend, weight: one - k1 }
+        Split { factors, rates, weight: one - k1 }
     }
 
     /// Forces of the bristles divided by `μ N`, and their moment divided by `μ N √(ab)`.

@@ -3,9 +3,12 @@
 use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
+use crate::friction::SlipFriction;
+use crate::friction::behind::StripBehind;
 use crate::number::Float;
+use crate::patch::friction::{FrictionProblem, Scaled};
 use crate::patch::shares::{Seen, ZoneLaw};
-use crate::patch::slip::{PatchSlip, largest_rigid_slip, seen_from};
+use crate::patch::slip::{PatchLayer, PatchSlip, ZoneSplit, largest_rigid_slip, seen_from};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -18,7 +21,12 @@ use crate::strip_1967::strip::{Strip, StripPoint};
 /// divides the distance of their centre lines in the ratio of their widths.
 #[derive(Clone, Copy, Debug)]
 pub struct PatchField<'a, F> {
-    problem: Problem<'a, F>,
+    /// The patch and the creepage whose tractions times the share `λ` are those under the law.
+    view: PatchView<'a, F>,
+    creepage: Creepage<F>,
+    model: Model,
+    behind: Option<PatchLayer<F>>,
+    units: LawUnits<F>,
     /// The warning of the solution, if there is one.
     pub warning: Warning,
 }
@@ -28,6 +36,15 @@ pub struct PatchField<'a, F> {
 pub struct PatchFieldStrip<F: Float> {
     strip: PatchStrip<F>,
     law: PatchTractions<F>,
+    behind: Option<StripBehind<F>>,
+    units: LawUnits<F>,
+}
+
+/// Tractions and slip of the patch divided by those of the scaled creepage: `λ`, `λ/k`.
+#[derive(Clone, Copy, Debug)]
+struct LawUnits<F> {
+    traction: F,
+    slip: F,
 }
 
 /// The traction law of a strip.
@@ -47,10 +64,42 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// [`Error::Overflow`] also when the dissipation of a point may not fit the floating-point
     /// type.
     pub fn new(
-        patch: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
+        patch: &PatchView<'a, F>,
+        creepage: &Creepage<F>,
         model: Model,
     ) -> Result<Self, Error> {
+        let warning = Self::checked(patch, creepage, model)?.warning();
+        let units = LawUnits { traction: F::one(), slip: F::one() };
+        Ok(Self { view: *patch, creepage: *creepage, model, behind: None, units, warning })
+    }
+
+    /// Prepare the field under a law.
+    ///
+    /// # Errors
+    /// Those of [`PatchField::new`] and
+    /// [`solve_patch_with_law`](super::friction::solve_patch_with_law).
+    pub fn with_law(
+        patch: &'a PatchView<'a, F>,
+        creepage: &'a Creepage<F>,
+        law: &SlipFriction<F>,
+        model: Model,
+    ) -> Result<Self, Error> {
+        Self::checked(patch, creepage, model)?;
+        let problem = FrictionProblem::new(patch, creepage, law, model)?;
+        let (share, of_friction) = problem.agreement()?;
+        let Scaled { patch: view, creepage, factor } = problem.scaled(share)?;
+        let scaled = Problem::with_strips(&view, &creepage, model)?.warning();
+        let units = LawUnits { traction: share, slip: F::one() / factor };
+        let (behind, warning) = (problem.behind, problem.warning(scaled, of_friction));
+        Ok(Self { view, creepage, model, behind, units, warning })
+    }
+
+    /// The problem, whose field fits the floating-point type.
+    fn checked<'b>(
+        patch: &'b PatchView<'b, F>,
+        creepage: &'b Creepage<F>,
+        model: Model,
+    ) -> Result<Problem<'b, F>, Error> {
         let problem = Problem::with_strips(patch, creepage, model)?;
         // The dissipation of a point is traction times slip, and the slip is of the size of the
         // rigid slip.
@@ -59,16 +108,14 @@ impl<'a, F: Float> PatchField<'a, F> {
             .iter()
             .fold(F::zero(), |most, strip| most.max(strip.friction * strip.peak_pressure));
         let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
-        if !(traction * slip).is_finite_number() {
-            return Err(Error::Overflow);
-        }
-        Ok(Self { problem, warning: problem.warning() })
+        Error::Overflow.unless((traction * slip).is_finite_number())?;
+        Ok(problem)
     }
 
     /// The strip through `y` \[m\]; `None` outside the patch and in its gaps.
     #[must_use]
     pub fn strip_at(&self, y: F) -> Option<PatchFieldStrip<F>> {
-        let Problem { view, creepage, .. } = self.problem;
+        let Self { view, creepage, model, behind, units, .. } = self;
         let mut number = 0;
         let lobe = view.lobes().find(|lobe| {
             let inside = lobe.first().is_some_and(|first| first.y - first.width.times(0.5) <= y)
@@ -84,20 +131,30 @@ impl<'a, F: Float> PatchField<'a, F> {
         let strip = lobe.get(own)?;
         number += own;
         let creepage = seen_from(creepage, strip, view.own(number).as_ref());
-        let law = if Model::HAS_STRIP && self.problem.model == Model::Strip {
+        let mut of_layer = None;
+        let law = if Model::HAS_STRIP && *model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let (slip, law) = (PatchSlip::new(&creepage, None), ZoneLaw::new(&zone, factors));
-            let Seen { law: rolling, .. } = law.see(&slip, &creepage, strip.centre_x);
+            let (slip, law) = (PatchSlip::new(&creepage, *behind), ZoneLaw::new(&zone, factors));
+            let Seen { law: rolling, split, whole, .. } = law.see(&slip, &creepage, strip.centre_x);
+            of_layer = split.map(|split| split.of_field(strip, &whole));
             let line = law.units.geometry(strip, F::zero());
             PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
         } else if Model::HAS_STRIP_1967 {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            PatchTractions::Strip1967(self.problem.theory(strip, &creepage), circle.slip_scale())
+            let problem = Problem { view, creepage: &creepage, model: *model };
+            let own = behind.as_ref().and_then(|behind| Some((behind, view.zone(number)?)));
+            let mut at_origin = creepage;
+            if let Some((behind, zone)) = own {
+                let (split, seen) = ZoneSplit::of_zone(&zone, &creepage, behind);
+                at_origin = split.half_spaces_at_origin(&seen);
+                of_layer = Some(split.of_field(strip, &seen));
+            }
+            PatchTractions::Strip1967(problem.theory(strip, &at_origin), circle.slip_scale())
         } else {
             return None;
         };
-        Some(PatchFieldStrip { strip: *strip, law })
+        Some(PatchFieldStrip { strip: *strip, law, behind: of_layer, units: *units })
     }
 
     /// The state at a point of the contact plane \[m\].
@@ -109,7 +166,7 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// The state at `x` \[m\] of a strip of [`PatchField::strip_at`].
     #[must_use]
     pub fn along(strip: Option<&PatchFieldStrip<F>>, x: F) -> FieldPoint<F> {
-        let Some(PatchFieldStrip { strip, law }) = strip else {
+        let Some(PatchFieldStrip { strip, law, behind, units }) = strip else {
             let zero = F::zero();
             return FieldPoint::in_units(zero, zero, zero, &StripPoint::outside());
         };
@@ -122,6 +179,8 @@ impl<'a, F: Float> PatchField<'a, F> {
                 (*slip, strip_point(rolling, geometry, F::one(), place))
             }
         };
-        FieldPoint::in_units(pressure, traction, slip, &point)
+        let mean = |behind: &StripBehind<F>| behind.mean(&point, place, [F::one(), slip]);
+        let point = behind.as_ref().map_or(point, mean);
+        FieldPoint::in_units(pressure, traction * units.traction, slip * units.slip, &point)
     }
 }

@@ -101,15 +101,15 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
 }
 
 /// A patch and a scaled creepage, whose forces times `λ` are those under falling friction.
-struct Scaled<'a, F> {
-    patch: PatchView<'a, F>,
-    creepage: Creepage<F>,
+pub(super) struct Scaled<'a, F> {
+    pub patch: PatchView<'a, F>,
+    pub creepage: Creepage<F>,
     /// `k/λ`
-    factor: F,
+    pub factor: F,
 }
 
 /// A patch, a creepage, a model and a law that fit together.
-struct FrictionProblem<'a, F: Float> {
+pub(super) struct FrictionProblem<'a, F: Float> {
     patch: &'a PatchView<'a, F>,
     creepage: &'a Creepage<F>,
     /// The law for friction in units of that without slip.
@@ -120,11 +120,11 @@ struct FrictionProblem<'a, F: Float> {
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
     /// The layer of the law.
-    behind: Option<PatchLayer<F>>,
+    pub behind: Option<PatchLayer<F>>,
 }
 
 impl<'a, F: Float> FrictionProblem<'a, F> {
-    fn new(
+    pub fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
         law: &SlipFriction<F>,
@@ -144,7 +144,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         Ok(Self { patch, creepage, law, model, bound, rigid_slip, behind })
     }
 
-    fn agreement(&self) -> Result<(F, Warning), Error> {
+    pub fn agreement(&self) -> Result<(F, Warning), Error> {
         if !self.law.falls() || self.bound <= F::zero() {
             return Ok((F::one(), Warning::None));
         }
@@ -158,7 +158,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     }
 
     /// `k c/λ` and `k κ/λ`; where `λ` vanishes, creepages so large that the whole patch slides.
-    fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
+    pub fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
         let factor = self.law.slope_or_one() / share;
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
@@ -171,7 +171,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     }
 
     /// The warning of the patch from that at the scaled creepage and that of the friction.
-    fn warning(&self, scaled: Warning, of_friction: Warning) -> Warning {
+    pub fn warning(&self, scaled: Warning, of_friction: Warning) -> Warning {
         let told = if scaled == Warning::Mismatch { Warning::None } else { scaled };
         let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
         let told = if far && !self.model.is_of_1967() { Warning::Mismatch } else { told };

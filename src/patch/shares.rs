@@ -30,7 +30,9 @@ pub(super) struct Seen<T: Number> {
     pub law: Distribution<T>,
     /// The creepage that pressure adds.
     shift: T,
-    split: Option<ZoneSplit<T>>,
+    /// The creepage of the ellipse, and what half-spaces and bristles have of it.
+    pub whole: Creepage<T>,
+    pub split: Option<ZoneSplit<T>>,
 }
 
 impl<F: Float> ZoneLaw<F> {
@@ -53,9 +55,9 @@ impl<F: Float> ZoneLaw<F> {
         let Self { zone, linear, flexibilities, .. } = self;
         let (seen, shift) = seen_by(zone, linear, slip, creepage, x);
         let split = slip.behind.map(|behind| ZoneSplit::new(zone, linear, &seen, x, &behind));
-        let seen = split.map_or(seen, |split| split.half_spaces(&seen));
-        let parameters = Parameters::new(&zone.contact, &seen);
-        Seen { x, law: flexibilities.see(parameters.normalised()), shift, split }
+        let of_half_spaces = split.map_or(seen, |split| split.half_spaces(&seen));
+        let parameters = Parameters::new(&zone.contact, &of_half_spaces);
+        Seen { x, law: flexibilities.see(parameters.normalised()), shift, whole: seen, split }
     }
 }
 

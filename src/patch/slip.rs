@@ -2,6 +2,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
+use crate::friction::behind::StripBehind;
 use crate::layer::bristles::{Bristles, Rates};
 use crate::layer::{Interface, Layer, Split};
 use crate::linear::LinearCoefficients;
@@ -139,16 +140,30 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         Self { split, has_bristles, x, y: zone.y, a, bound }
     }
 
+    /// For a creepage at the origin, in the theory of 1967; also the creepage of the ellipse.
+    pub fn of_zone(
+        zone: &Zone<F>,
+        creepage: &Creepage<T>,
+        behind: &PatchLayer<T>,
+    ) -> (Self, Creepage<T>) {
+        let Contact { a, b, poisson_ratio, .. } = zone.contact;
+        let linear = LinearCoefficients::at(a / b, poisson_ratio);
+        let seen = creepage_at(creepage, zone.x, zone.y);
+        (Self::new(zone, &linear, &seen, zone.x, behind), seen)
+    }
+
     /// The creepage of the half-spaces.
     pub fn half_spaces(&self, seen: &Creepage<T>) -> Creepage<T> {
         self.split.half_spaces(seen)
     }
 
-    /// The mean of the forces of a strip of half-spaces and those of its bristles.
-    pub fn mean(&self, strip: &PatchStrip<F>, share: Share<T>) -> Share<T> {
-        if !self.has_bristles {
-            return share;
-        }
+    /// The same at the origin of the patch.
+    pub fn half_spaces_at_origin(&self, seen: &Creepage<T>) -> Creepage<T> {
+        creepage_at(&self.half_spaces(seen), -self.x, -self.y)
+    }
+
+    /// The bristles of a strip.
+    fn bristles(&self, strip: &PatchStrip<F>) -> Rates<T> {
         let [x, y, spin] = self.split.rates;
         let bound = strip.friction * strip.peak_pressure;
         // in units of the strip: c/a over Π
@@ -163,8 +178,15 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         // (a strip that hardly carries may slide more than any number)
         let unit = unit.min(F::HUGE);
         let [x, y, spin] = scaled_down(of_zone, F::HUGE / unit).map(|rate| rate.scale(unit));
-        let rates = Rates { x, y, spin };
-        let Bristles { fx, fy, mx, stick } = rates.of_strip();
+        Rates { x, y, spin }
+    }
+
+    /// The mean of the forces of a strip of half-spaces and those of its bristles.
+    pub fn mean(&self, strip: &PatchStrip<F>, share: Share<T>) -> Share<T> {
+        if !self.has_bristles {
+            return share;
+        }
+        let Bristles { fx, fy, mx, stick } = self.bristles(strip).of_strip();
         let stick = stick.value();
         let adheres = stick > F::zero();
         let forces = StripForces { fx, fy, mx, stick: T::zero() };
@@ -178,6 +200,23 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
             besides: share.besides,
             stick: share.stick + (stick - share.stick) * weight.value(),
             adheres: share.adheres || adheres,
+        }
+    }
+}
+
+impl<F: Float> ZoneSplit<F> {
+    /// What the points of a strip need, from the creepage of the ellipse.
+    pub fn of_field(&self, strip: &PatchStrip<F>, seen: &Creepage<F>) -> StripBehind<F> {
+        let (x, y) = (strip.centre_x - self.x, strip.y - self.y);
+        let rigid = |of: &Creepage<F>| {
+            let Creepage { longitudinal, lateral, spin } = creepage_at(of, x, y);
+            Rates { x: longitudinal, y: lateral, spin: spin * strip.half_length }
+        };
+        StripBehind {
+            rigid: rigid(seen),
+            half_spaces: rigid(&self.half_spaces(seen)),
+            bristles: self.has_bristles.then(|| self.bristles(strip)),
+            weight: self.split.weight,
         }
     }
 }

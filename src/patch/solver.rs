@@ -199,12 +199,8 @@ impl<'a, F: Float> Problem<'a, F> {
         creepage: &Creepage<T>,
         behind: &PatchLayer<T>,
     ) -> Share<T> {
-        let Contact { a, b, poisson_ratio, .. } = zone.contact;
-        let linear = LinearCoefficients::at(a / b, poisson_ratio);
-        let seen = creepage_at(creepage, zone.x, zone.y);
-        let split = ZoneSplit::new(zone, &linear, &seen, zone.x, behind);
-        let at_origin = creepage_at(&split.half_spaces(&seen), -zone.x, -zone.y);
-        split.mean(strip, self.theory_share(strip, &at_origin))
+        let (split, seen) = ZoneSplit::of_zone(zone, creepage, behind);
+        split.mean(strip, self.theory_share(strip, &split.half_spaces_at_origin(&seen)))
     }
 
     /// Every strip's share of the forces of the ellipse of its zone.

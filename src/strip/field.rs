@@ -1,8 +1,8 @@
 //! Traction and slip at a point of a strip, by the same law from which the forces are summed.
 
-use super::constants::{EDGE, NODES};
+use super::constants::NODES;
 use super::creepage::{Distribution, StripGeometry};
-use super::kernel::{Separatrix, SlipState, Spin, Step, StripCreepage};
+use super::kernel::{Separatrix, SlipState, Spin, Step};
 use super::tables::{Constants, Tables};
 use crate::number::Float;
 
@@ -36,7 +36,7 @@ impl<F: Float> Distribution<F> {
         let (zero, one, two) = (F::zero(), F::one(), F::of(2.0));
         let (seen, sigma) = self.strip(strip);
         let spin = Spin::new(sigma);
-        let Separatrix { y, s, .. } = Separatrix::new(&seen, &spin);
+        let Separatrix { y, s, root, .. } = Separatrix::new(&seen, &spin);
         let tau = (place + one).clamped(F::of(LEAST), two);
         let inverse = one / s;
         let n = [seen.x * inverse, y * inverse + spin.r];
@@ -49,51 +49,46 @@ impl<F: Float> Distribution<F> {
         let constants = Tables::new(|[first, _]: &[F; 2]| *first);
         let t = tau * inverse;
         let mut slip = SlipState::start(n, two - s, inverse, &seen);
-        let (mut before, mut from) = (one, None);
-        let mut here = None;
-        for k in 0..NODES {
-            let node = constants.node(k);
-            let whole = step_to(s, before, node.place);
-            let (next, traction) = slip.step(&seen, &spin, s, &whole);
-            let to = slip_share(&seen, &spin, s, &whole, traction.tried);
-            // Slip divided by rigid slip: zero at the separatrix; at the leading edge that of the
-            // first step.
-            let at_start = from.unwrap_or(to * s.plus(EDGE - 2.0).max(zero).times(1.0 / EDGE));
-            here = Some((slip, node, before, at_start, to));
-            if t >= node.place {
+        let mut before = one;
+        for place in (0..NODES).map(|k| constants.node(k).place) {
+            if t >= place {
                 break;
             }
-            (slip, before, from) = (next, node.place, Some(to));
-            here = Some((slip, node, before, to, to));
+            (slip, before) = (slip.step(&seen, &spin, s, &step_to(s, before, place)).0, place);
         }
-        let Some((slip, node, before, from, to)) = here else {
-            return StripTraction { x: zero, y: zero, slip_x: zero, slip_y: zero, slips: false };
-        };
         let (_, point) = slip.step(&seen, &spin, s, &step_to(s, before, t));
-        let part = ((before - t) / node.length).clamped(zero, one);
         // With much spin the traction may reach the bound anywhere behind the leading edge.
         let excess = (point.tried - one).times(5.0).clamped(zero, one);
-        let share = (from + (to - from) * part) * (one - spin.blend * (one - excess));
+        let share = slip_share(root.max(s), tau) * (one - spin.blend * (one - excess));
         let slips = spin.blend == zero || point.tried > one;
-        self.slipping(strip, place, [point.x, point.y], share, slips)
+        let [x, y] = [point.x, point.y];
+        let size = (x * x + y * y).plus(NO_TRACTION).sqrt();
+        let slip = share * self.unrelieved(strip, place, &spin) / size;
+        StripTraction { x, y, slip_x: slip * x, slip_y: slip * y, slips }
     }
 
-    /// A point whose slip is this share of the rigid slip, along the traction.
-    fn slipping(
-        &self,
-        strip: &StripGeometry<F>,
-        place: F,
-        [x, y]: [F; 2],
-        share: F,
-        slips: bool,
-    ) -> StripTraction<F> {
+    /// The rigid slip that the traction of spin in adhesion leaves: without `φ x r/σ`, except where
+    /// spin is large.
+    fn unrelieved(&self, strip: &StripGeometry<F>, place: F, spin: &Spin<F>) -> F {
         let [vx, vy, phi] = self.creepage;
         let rigid_x = vx - phi * (strip.y / self.root);
-        let rigid_y = vy + phi * (self.root * strip.half_length * place);
-        let rigid = (rigid_x * rigid_x + rigid_y * rigid_y).sqrt();
-        let size = (x * x + y * y).plus(NO_TRACTION).sqrt();
-        let slip = share * rigid / size;
-        StripTraction { x, y, slip_x: slip * x, slip_y: slip * y, slips }
+        let by_spin = phi * (self.root * strip.half_length * place);
+        let relieved = if spin.sigma == F::zero() { F::one() } else { spin.r / spin.sigma };
+        let of = |rigid_y: F| (rigid_x * rigid_x + rigid_y * rigid_y).sqrt();
+        let left = of(vy + by_spin * (F::one() - relieved));
+        left + (of(vy + by_spin) - left) * spin.blend
+    }
+}
+
+/// Slip divided by rigid slip a way `τ` from the trailing edge, as Carter has it for a strip of
+/// creepage alone: `2 √((2 − τ)(s − τ))/s` behind the separatrix `s`, `1 + 2 (1 − τ)/s` where all
+/// slides, `s ≥ 2`. The power of the creepage is then what friction dissipates.
+fn slip_share<F: Float>(s: F, tau: F) -> F {
+    let two = F::of(2.0);
+    if s < two {
+        ((two - tau) * (s - tau).max(F::zero())).sqrt() * (two / s)
+    } else {
+        F::one() + (F::one() - tau).times(2.0) / s
     }
 }
 
@@ -106,20 +101,4 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
         inverse_bound: F::one() / bound.max(F::of(LEAST)),
         soft: F::zero(),
     }
-}
-
-/// Slip divided by rigid slip on a step: the part of the traction's growth that the bound cuts off,
-/// divided by the whole growth.
-fn slip_share<F: Float>(
-    seen: &StripCreepage<F>,
-    spin: &Spin<F>,
-    s: F,
-    step: &Step<F>,
-    tried: F,
-) -> F {
-    let turn = spin.sigma * (s * step.place).plus(-1.0).times(2.0);
-    let (x, y) = (seen.x, seen.y + turn);
-    let offered = (x * x + y * y).plus(NO_TRACTION).sqrt();
-    let excess = tried.sqrt().plus(-1.0).max(F::zero());
-    (excess / (offered * step.length * step.inverse_bound)).min(F::one())
 }

@@ -111,7 +111,7 @@ static void NAME(field)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAM
     NAME(add_derivatives)(hash, status, &r, &d, &law);
     for (n = -1; n <= 1; n++) {
         const REAL x = c->a * (REAL)n / 2, y = c->b * (REAL)n / 4;
-        status = NAME(kstrip_field)(c, k, o, &x, 1, &y, 1, &p, 1);
+        status = NAME(kstrip_field)(c, k, NULL, o, &x, 1, &y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
 }
@@ -214,7 +214,7 @@ static void NAME(patch)(uint64_t *hash, const NAME(kstrip_patch) *patch, const N
     for (n = 0; n < patch->count; n += 3) {
         const NAME(kstrip_patch_strip) s = patch->strips[n];
         const REAL x = s.centre_x - s.half_length / 4;
-        status = NAME(kstrip_patch_field)(patch, k, o, &x, 1, &s.y, 1, &p, 1);
+        status = NAME(kstrip_patch_field)(patch, k, NULL, o, &x, 1, &s.y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
 }
@@ -248,7 +248,7 @@ static void NAME(falling)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const 
         slipping.friction = found;
         slipping.shear_modulus *= law.slope_factor;
         x = -c->a / 4, y = c->b / 8;
-        status = NAME(kstrip_field)(&slipping, k, o, &x, 1, &y, 1, &p, 1);
+        status = NAME(kstrip_field)(c, k, &law, o, &x, 1, &y, 1, &p, 1);
         NAME(add_point)(hash, status, &p);
     }
     if (!patch)
@@ -338,7 +338,9 @@ static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NA
     NAME(kstrip_derivatives) d;
     NAME(kstrip_law_derivatives) by_law;
     NAME(kstrip_outputs) all;
-    REAL found = 0;
+    NAME(kstrip_point) p;
+    REAL found = 0, x = -c->a / 4;
+    const REAL y = c->b / 8;
     kstrip_status status;
     uint32_t count = 0, n;
     law.friction = NAME(part)(5 + draw(i, 50, 60), 100);
@@ -361,12 +363,20 @@ static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NA
         const REAL numbers[8] = {s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power};
         NAME(add_all)(hash, numbers, 8);
     }
+    status = NAME(kstrip_field)(c, k, &law, o, &x, 1, &y, 1, &p, 1);
+    NAME(add_point)(hash, status, &p);
     memset(&all, 0, sizeof all);
     all.result = &r, all.friction = &found;
     if (patch) {
         all.derivatives = &d, all.law_derivatives = &by_law;
         status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
         NAME(behind)(of_patch, status, &r, &d, &by_law, found);
+        for (n = 0; n < patch->count; n += 5) {
+            const NAME(kstrip_patch_strip) s = patch->strips[n];
+            x = s.centre_x - s.half_length / 4;
+            status = NAME(kstrip_patch_field)(patch, k, &law, o, &x, 1, &s.y, 1, &p, 1);
+            NAME(add_point)(of_patch, status, &p);
+        }
         all.derivatives = NULL, all.law_derivatives = NULL;
     }
     for (n = 0, count = 0; n < 6; n++) {

@@ -20,6 +20,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::field::FieldPoint;
 use kstrip::forces::{self, Field, Model, Options, Solution, StripResult};
 use kstrip::friction::derivatives::{Differentiated, differentiate_with_law};
+use kstrip::friction::field::LawField;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Profile, ProfileContact};
@@ -406,10 +407,18 @@ impl<F: Bits> Case<'_, F> {
         for s in &strips {
             hash.add(&[s.y, s.width, s.half_length, s.separatrix, s.fx, s.fy, s.mz, s.power]);
         }
+        let (x, y) = (-contact.a / F::of(4.0), contact.b / F::of(8.0));
+        let field = LawField::new(contact, creepage, Some(&law), options);
+        hash.point(field.map(|f| (f.along(&f.strip_at(y), x), f.warning)));
         if let Some(view) = patch.and_then(|patch| patch.view().ok()) {
             let found =
                 patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
             self.behind(of_patch, found);
+            for s in view.strips().iter().step_by(5) {
+                let field = PatchField::with_law(&view, creepage, &law, options.model);
+                let x = s.centre_x - s.half_length / F::of(4.0);
+                of_patch.point(field.map(|f| (f.at(x, s.y), f.warning)));
+            }
         }
         let points: Vec<_> = (1..=6)
             .filter_map(|n| {

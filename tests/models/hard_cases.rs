@@ -65,7 +65,7 @@ macro_rules! in_c {
             ) -> i32 {
                 let (columns, rows) = (x.len() as u32, y.len() as u32);
                 let (c, m, o, x, y) = (Some(c), Some(m), Some(o), x.as_ptr(), y.as_ptr());
-                unsafe { $field(c, m, o, x, columns, y, rows, to, columns * rows) }
+                unsafe { $field(c, m, None, o, x, columns, y, rows, to, columns * rows) }
             }
         }
     };

@@ -8,12 +8,14 @@ use crate::theory;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
+use kstrip::forces::field::FieldPoint;
 use kstrip::forces::{Model, Options, Solution};
 use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::friction::field::LawField;
 use kstrip::friction::{self, SlipFriction};
 use kstrip::linear::LinearCoefficients;
 use kstrip::patch::Patch;
+use kstrip::patch::field::PatchField;
 use kstrip::patch::friction as patch_friction;
 use std::path::Path;
 
@@ -382,7 +384,7 @@ fn a_patch_behind_a_layer_is_the_ellipse() {
             .solution;
         let bound = c.friction * c.normal_force;
         let off = (found.fx - whole.fx).hypot(found.fy - whole.fy) / bound;
-        assert!(off < 0.02, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
+        assert!(off < 0.03, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
     }
 }
 
@@ -530,45 +532,112 @@ fn derivatives_of_patches_behind_a_layer_are_exact() {
     assert!(comparison.compared > 300 && compared > 900, "{} {compared}", comparison.compared);
 }
 
-/// Tractions of the field behind a layer add up to the forces, to the rounding of both quadratures;
-/// the bound is kept.
+/// Sums of the points of a field: force, and dissipation.
+fn sums_of_field(c: &Contact<f64>, point: impl Fn(f64, f64) -> FieldPoint<f64>) -> [f64; 3] {
+    const PLACES: i32 = 100;
+    let angle = |i: i32| (f64::from(i) + 0.5) / f64::from(PLACES) * std::f64::consts::PI;
+    let mut sums = [0.0; 3];
+    for j in 0..PLACES {
+        let (half_length, y) = (c.a * angle(j).sin(), c.b * angle(j).cos());
+        for i in 0..PLACES {
+            let found = point(half_length * angle(i).cos(), y);
+            let area = half_length
+                * angle(i).sin()
+                * c.b
+                * angle(j).sin()
+                * (std::f64::consts::PI / f64::from(PLACES)).powi(2);
+            sums[0] += found.traction_x * area;
+            sums[1] += found.traction_y * area;
+            sums[2] += found.dissipation * area;
+        }
+    }
+    sums
+}
+
+/// Tractions of the field behind a layer add up to the forces, to the rounding of both quadratures,
+/// and dissipation to the power, as well as without a layer; the bound is kept.
 #[test]
 fn fields_behind_a_layer_add_up_to_the_forces() {
+    // largest and mean difference of dissipation and power, without and with the layer, of both
+    // models, divided by that of friction and the rigid slip
     let mut random = Random::new(309);
-    let mut worst = 0.0_f64;
-    for n in 0..60 {
+    let (mut worst, mut lost, mut mean) = (0.0_f64, [[0.0_f64; 2]; 2], [[0.0_f64; 2]; 2]);
+    for n in 0..240 {
         let c = any_contact(&mut random);
         let law = any_law(&mut random, &c, n % 3 == 0);
         let law = if n % 4 == 3 { SlipFriction { layer: 0.0, ..law } } else { law };
         let m = any_motion(&mut random, &c);
         let o = options([Model::Strip, Model::Strip1967Continuous][n % 2]);
         let o = Options { strips: StripCount::SixtyFour, ..o };
-        let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
-        let field = LawField::new(&c, &m, Some(&law), &o).unwrap();
-        const PLACES: i32 = 200;
-        let angle = |i: i32| (f64::from(i) + 0.5) / f64::from(PLACES) * std::f64::consts::PI;
-        let mut sums = [0.0; 2];
-        for j in 0..PLACES {
-            let (half_length, y) = (c.a * angle(j).sin(), c.b * angle(j).cos());
-            let strip = field.strip_at(y);
-            for i in 0..PLACES {
-                let point = field.along(&strip, half_length * angle(i).cos());
-                let area = half_length
-                    * angle(i).sin()
-                    * c.b
-                    * angle(j).sin()
-                    * (std::f64::consts::PI / f64::from(PLACES)).powi(2);
-                sums[0] += point.traction_x * area;
-                sums[1] += point.traction_y * area;
+        let clean = SlipFriction { layer: 0.0, slide_factor: 0.0, ..law };
+        for (k, law) in [clean, law].into_iter().enumerate() {
+            let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
+            let field = LawField::new(&c, &m, Some(&law), &o).unwrap();
+            let [fx, fy, dissipation] = sums_of_field(&c, |x, y| {
+                let point = field.along(&field.strip_at(y), x);
                 let bound = found.friction * point.pressure;
                 let traction = point.traction_x.hypot(point.traction_y);
                 assert!(traction <= bound * (1.0 + 1e-6), "{traction} {bound}");
+                point
+            });
+            let bound = found.friction * c.normal_force;
+            let off = (fx - found.solution.fx).hypot(fy - found.solution.fy) / bound;
+            worst = worst.max(off);
+            assert!(off < 0.03, "{o:?} {off} {fx} {fy} {found:?} {law:?} {c:?} {m:?}");
+            let rigid = m.longitudinal.hypot(m.lateral) + m.spin.abs() * (c.a * c.b).sqrt();
+            let gone = (dissipation - found.solution.power) / (bound * rigid);
+            lost[k][n % 2] = lost[k][n % 2].max(gone.abs());
+            mean[k][n % 2] += gone.abs() / 120.0;
+        }
+    }
+    println!("worst {worst:.4}, {lost:.3?} {mean:.4?}");
+    // without a layer, with one: STRIP, the theory of 1967
+    let limits = [[[0.16, 0.010], [0.004, 0.0004]], [[0.06, 0.004], [0.015, 0.001]]];
+    for ((lost, mean), limits) in lost.iter().zip(&mean).zip(limits) {
+        for ((lost, mean), [most, in_the_mean]) in lost.iter().zip(mean).zip(limits) {
+            assert!(*lost < most && *mean < in_the_mean, "{lost} {mean}");
+        }
+    }
+}
+
+/// On their centre lines the strips of an ellipse have the field of the ellipse, behind a layer and
+/// under falling friction, and a layer that vanishes leaves the clean field.
+#[test]
+fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
+    let mut random = Random::new(310);
+    for n in 0..60 {
+        let c = any_contact(&mut random);
+        let law = any_law(&mut random, &c, n % 3 == 0);
+        let c = Contact { friction: law.friction, ..c };
+        let m = any_motion(&mut random, &c);
+        let o = options([Model::Strip, Model::Strip1967Continuous][n % 2]);
+        let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+        let view = patch.view().unwrap();
+        let falls = law.ratio < 1.0 && law.decay * law.rolling_speed > 0.0;
+        let of_patch = PatchField::with_law(&view, &m, &law, o.model).unwrap();
+        let of_ellipse = LawField::new(&c, &m, Some(&law), &o).unwrap();
+        let thin = SlipFriction { layer: 1e-9 * law.layer, slide_factor: 0.0, ..law };
+        let nearly = LawField::new(&c, &m, Some(&thin), &o).unwrap();
+        let clean = SlipFriction { layer: 0.0, ..thin };
+        let clean = LawField::new(&c, &m, Some(&clean), &o).unwrap();
+        let rigid = m.longitudinal.hypot(m.lateral) + m.spin.abs() * (c.a + c.b);
+        let bound = law.friction * c.peak_pressure();
+        let same = |found: &FieldPoint<f64>, wanted: &FieldPoint<f64>, limit: f64| {
+            let traction =
+                (found.traction_x - wanted.traction_x).hypot(found.traction_y - wanted.traction_y);
+            let slip = (found.slip_x - wanted.slip_x).hypot(found.slip_y - wanted.slip_y);
+            assert!(traction < limit * bound, "{n} {traction} {found:?} {wanted:?} {law:?}");
+            assert!(slip < limit * rigid, "{n} {slip} {rigid} {found:?} {wanted:?} {law:?}");
+        };
+        for strip in view.strips() {
+            for k in -9..10 {
+                let x = strip.half_length * f64::from(k) / 10.0;
+                let wanted = of_ellipse.along(&of_ellipse.strip_at(strip.y), x);
+                // (friction agrees with the slip of strips, and with that of the ellipse)
+                same(&of_patch.at(x, strip.y), &wanted, if falls { 2e-2 } else { 1e-9 });
+                let wanted = clean.along(&clean.strip_at(strip.y), x);
+                same(&nearly.along(&nearly.strip_at(strip.y), x), &wanted, 1e-6);
             }
         }
-        let bound = found.friction * c.normal_force;
-        let off = (sums[0] - found.solution.fx).hypot(sums[1] - found.solution.fy) / bound;
-        worst = worst.max(off);
-        assert!(off < 0.02, "{o:?} {off} {sums:?} {found:?} {law:?} {c:?} {m:?}");
     }
-    println!("worst {worst:.4}");
 }

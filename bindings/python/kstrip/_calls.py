@@ -100,7 +100,7 @@ def many(name: str, single: bool, shape: Shape, fixed: Iterable[Any], inputs: It
 
 
 def lazy(shape: Shape, dtype: np.dtype[Any]) -> Plain:
-    """Zeros, of which only what is written to takes memory and time: where the system can, in small pages (numpy asks for large ones, and the
+    """Zeros, of which only what is written to takes memory and time: where the system can, in small pages (numpy requests large ones, and the
     system then clears 2 MiB at a time)."""
     size = size_of(shape) * dtype.itemsize
     if not size or not hasattr(mmap, "MADV_NOHUGEPAGE"):

@@ -190,18 +190,21 @@ def strips(area: Union[Contact, Patch], creepage: Creepage, friction: Optional[F
 
 
 def field(area: Union[Contact, Patch], creepage: Creepage, x: ArrayLike, y: ArrayLike, model: Model = "default",
-          strips: int = 0) -> Point:
+          strips: int = 0, friction: Optional[Friction] = None) -> Point:
     """Pressure, traction, slip, dissipation and state of one contact or patch at all (x[i], y[j]) [m].
+
+    friction: a law of friction() that falls with the slip, or has a layer.
 
     Returns points of shape (y.size, x.size): element [j, i]. States: OUTSIDE, STICK, SLIP, SLIP_NEGATIVE_DISSIPATION.
     """
     kind, name = ("patch", "kstrip_patch_field") if is_patch(area) else ("contact", "kstrip_field")
-    single = is_single(area, creepage)
+    single = is_single(area, creepage, friction)
     only, motion = one(kind, area, single), one("creepage", creepage, single)
+    law = None if friction is None else one("friction", friction, single)
     across, along = floats(x, "x", single).reshape(-1), floats(y, "y", single).reshape(-1)
     count_of(across.size * along.size)
     points = np.zeros((along.size, across.size), dtypes["point" + "_f32" * single])
-    call(name, single, only, motion, ctypes.byref(options(model, strips)), across, across.size, along, along.size, points, points.size)
+    call(name, single, only, motion, law, ctypes.byref(options(model, strips)), across, across.size, along, along.size, points, points.size)
     return points.view(Point)
 
 

@@ -36,8 +36,8 @@ def miniprof(values, columns="X,Y", marked=()):
             "RefPoint1=0.0000, 0.0000", f"ColumnDef={columns}", "", *rows]
 
 
-def apart(values, least):
-    """The points that are at least a distance apart, as files of drawn profiles have them."""
+def thinned(values, least):
+    """The points that have at least this distance from the one before, as files of drawn profiles have them."""
     kept = [values[0]]
     for point in values[1:]:
         if np.hypot(*(point - kept[-1])) >= least:
@@ -104,7 +104,7 @@ class Files(unittest.TestCase):
     def test_files_like_six_that_the_field_publishes(self):
         """The format, order, side, direction of z, distance and number of digits of each are those of a public file of that name."""
         s1002, uic60, wheel_a, rail_a = (points(name) for name in ("s1002", "uic60", "en_wheel_a", "en_rail"))
-        coarse = apart(s1002[abs(s1002[:, 0] + 10) <= 50], 0.7), apart(uic60[uic60[:, 1] <= 15], 0.7)
+        coarse = thinned(s1002[abs(s1002[:, 0] + 10) <= 50], 0.7), thinned(uic60[uic60[:, 1] <= 15], 0.7)
         slice_y = np.concatenate((np.linspace(-69.5, 35, 105), np.linspace(36, 59.9, 25)))
         rough = np.interp(slice_y, *s1002.T) + 0.1 * np.sin(np.arange(slice_y.size) ** 2)
         corner = [[-65.0, -20.0], [-65.0, -7.63568], [-61.0, -3.63568]]

@@ -159,11 +159,12 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 /// Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a
 /// strip.
 ///
-/// Under falling friction multiply the friction of all strips by the factor that
-/// kstrip_patch_evaluate() returns, and the shear modulus by the law's slope_factor.
+/// The tractions add up to the forces of kstrip_patch_evaluate(), and the dissipation to its power,
+/// as those of kstrip_field() do.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
+/// @param friction        as in kstrip_patch_evaluate(); NULL: constant, no layer.
 /// @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the
 ///                        default.
 /// @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
@@ -176,6 +177,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 pub unsafe extern "C" fn kstrip_patch_field(
     patch: Option<&StoredPatch<F>>,
     creepage: Option<&Creepage<F>>,
+    friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
     x: *const F,
     columns: u32,
@@ -189,7 +191,10 @@ pub unsafe extern "C" fn kstrip_patch_field(
     answer(|| {
         let (patch, creepage, options) = (given(patch)?, given(creepage)?, for_strips(options)?);
         let view = patch.view()?;
-        let field = PatchField::new(&view, creepage, options.model)?;
+        let field = match friction {
+            Some(law) => PatchField::with_law(&view, creepage, law, options.model),
+            None => PatchField::new(&view, creepage, options.model),
+        }?;
         let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
         Ok(field.warning)

@@ -476,6 +476,7 @@ fn field(bytes: &mut Bytes) {
     let (contact, k) = (contact(bytes), creepage(bytes));
     let options = bytes.options();
     let given = bytes.given();
+    let law = (bytes.byte() < 100).then(|| friction_of(bytes));
     let mut grid = Grid::new(bytes, 5e-3);
     // Inputs may overlap each other.
     let y = if grid.x.len() == grid.y.len() { grid.x.clone() } else { grid.y.clone() };
@@ -485,6 +486,7 @@ fn field(bytes: &mut Bytes) {
         kstrip_field(
             given.input(0, &contact),
             given.input(1, &k),
+            law.as_ref(),
             options.as_ref(),
             given.array(2, &grid.x),
             grid.x.len() as u32,
@@ -495,8 +497,9 @@ fn field(bytes: &mut Bytes) {
         )
     };
     for point in grid.written(status) {
-        plausible_point(&point, contact.friction, peak(&contact), || {
-            format!("{contact:?} {k:?} {options:?}")
+        let friction = law.map_or(contact.friction, |law| law.friction);
+        plausible_point(&point, friction, peak(&kstrip_contact { friction, ..contact }), || {
+            format!("{contact:?} {k:?} {law:?} {options:?}")
         });
     }
 }

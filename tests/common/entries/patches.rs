@@ -319,6 +319,7 @@ fn plausible_place(
 fn patch_field(bytes: &mut Bytes) {
     let Some(patch) = patch(bytes) else { return };
     let (k, options, given) = (creepage(bytes), patch_options(bytes), bytes.given());
+    let law = (bytes.byte() < 100).then(|| friction_of(bytes));
     let mut grid = Grid::new(bytes, 5e-3);
     if bytes.byte() < 192 {
         grid.y.iter_mut().zip(&patch.strips).for_each(|(y, strip)| *y = strip.y);
@@ -328,6 +329,7 @@ fn patch_field(bytes: &mut Bytes) {
         kstrip_patch_field(
             given.input(0, &patch),
             given.input(1, &k),
+            law.as_ref(),
             options.as_ref(),
             given.array(2, &grid.x),
             grid.x.len() as u32,
