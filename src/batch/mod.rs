@@ -11,10 +11,14 @@ use crate::forces;
 use crate::forces::options::{Options, Solution};
 use crate::friction::derivatives;
 use crate::friction::{self, FrictionSolution};
-use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
 use crate::number::avx::HAS_WIDE_CODE;
+use crate::number::{Float, Strips};
 use crate::status::{Error, Warning};
+use heapless::Vec;
+
+/// Largest number of contacts side by side.
+const MOST: usize = 8;
 
 /// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.
 /// Returns the warning with the largest code.
@@ -54,6 +58,17 @@ pub fn solve_batch<F: Float>(
     if count == 1 {
         // (a bad input is found before anything is handed out)
         return solve_each(0..1, options, &get, &mut put);
+    }
+    if count < F::Contacts::COUNT.min(MOST) {
+        // Too few for groups: each is checked as it is solved, and all of them are handed out
+        // together.
+        let mut solved: Vec<Solution<F>, MOST> = Vec::new();
+        let mut keep = |_, solution| {
+            let _ = solved.push(solution);
+        };
+        let worst = solve_each(0..count, options, &get, &mut keep)?;
+        solved.into_iter().enumerate().for_each(|(i, solution)| put(i, solution));
+        return Ok(worst);
     }
     let case = |i| {
         let (contact, creepage) = get(i);

@@ -7,6 +7,7 @@
 
 #![allow(unsafe_code)]
 
+use crate::batch::MOST;
 use crate::batch::one_by_one::{Case, Gathered, differentiate_each, solve_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -21,9 +22,6 @@ use crate::number::avx::has_avx;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
 use crate::status::{Error, Warning};
 use core::ops::Range;
-
-/// Largest number of contacts side by side.
-const MOST: usize = 8;
 
 /// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
 /// has wide registers.
