@@ -62,6 +62,8 @@ pub(crate) struct Cell<F> {
     pub distance: WithSlope<F>,
     /// Rolling radius `R` \[m\].
     pub rolling_radius: WithSlope<F>,
+    /// Centre along `x` \[m\].
+    pub centre_x: WithSlope<F>,
     /// Half length \[m\].
     pub half_length: WithSlope<F>,
     /// `p/(π E*)`; zero where the bodies do not touch.
@@ -76,6 +78,13 @@ pub(crate) struct Cell<F> {
     alone: WithSlope<F>,
 }
 
+impl<F: Float> Cell<F> {
+    /// `(π/2) a w p/(π E*)`
+    pub fn load(&self) -> WithSlope<F> {
+        (self.half_length * self.width * self.pressure).times(FRAC_PI_2)
+    }
+}
+
 /// Cells in ascending `y`.
 #[derive(Clone, Debug)]
 pub(crate) struct Cells<F> {
@@ -84,11 +93,12 @@ pub(crate) struct Cells<F> {
 
 impl<F: Float> Cells<F> {
     /// Cells at their places; `of` gives distance, rolling radius and half length of each, and
-    /// whether it may touch.
+    /// whether it may touch, and `centre_x` the centre.
     pub(super) fn place(
         &mut self,
         places: &CellPlaces<F>,
         of: impl Fn(WithSlope<F>) -> ([WithSlope<F>; 3], bool),
+        centre_x: impl Fn(WithSlope<F>) -> WithSlope<F>,
     ) {
         let list = &mut self.list;
         list.clear();
@@ -99,6 +109,7 @@ impl<F: Float> Cells<F> {
                 width: place.width,
                 distance,
                 rolling_radius,
+                centre_x: centre_x(place.y),
                 half_length,
                 pressure: WithSlope::zero(),
                 touches,
@@ -109,11 +120,9 @@ impl<F: Float> Cells<F> {
         }
     }
 
-    /// `N/(π E*) = Σ (π/2) a w p/(π E*)`
+    /// `N/(π E*)`
     pub(crate) fn load(&self) -> WithSlope<F> {
-        self.list.iter().fold(WithSlope::zero(), |sum, cell| {
-            sum + (cell.half_length * cell.width * cell.pressure).times(FRAC_PI_2)
-        })
+        self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
     }
 
     /// Mean pressure over mean half length, and mean width \[m\], weighted with the load.

@@ -9,6 +9,7 @@
 //! 4. **Zones** where `h + 0.73 u < δ`, laid end to end, and cells on them (`layout`).
 //! 5. The [normal problem](cells) on the cells. The pressures are solved for, then the lengths are
 //!    corrected; this is done twice, and the pressures are solved for once more.
+//! 6. **Skew** of a contact whose distance is least along `x` at places that change across it.
 //!
 //! Every number carries its derivative with respect to the given load or approach, and no branch
 //! changes a value where it switches. Therefore load, approach and strips are continuous functions
@@ -26,6 +27,7 @@ mod outline;
 pub(crate) mod parabola;
 pub mod profile;
 mod profile_contact;
+mod skew;
 pub(crate) mod smooth;
 
 use crate::contact::totals::StripCount;
@@ -173,7 +175,7 @@ impl<F: Float> Indentation<F> {
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<Self, Error> {
         let Outline { given, power, iterations, at_end, lowest } = outline;
-        let pressed = solve_pressures(cells, power, given);
+        let pressed = solve_pressures(cells, power, given) * cells.skew(given);
         let load = cells.load();
         let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
         let modulus = contact.modulus().times(PI);
@@ -208,7 +210,7 @@ impl<F: Float> Indentation<F> {
                 y: cell.y.value,
                 width,
                 half_length: a * share,
-                centre_x: profile.centre_x(cell.y.value),
+                centre_x: cell.centre_x.value,
                 peak_pressure: p / share * modulus,
                 friction: contact.friction,
             };

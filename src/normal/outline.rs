@@ -127,12 +127,16 @@ impl<F: Float> Outline<F> {
         let width = layout(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
         let first_lengths = Lengths::new(width, mean_radius, approach);
-        cells.place(&places, |y| {
-            let height = curve.at(y);
-            let radius = profile.rolling_radius(y, contact.rolling_radius);
-            let touches = approach.value.times(OVERLAP) > height.value;
-            ([height, radius, first_lengths.at(height, radius)], touches)
-        });
+        cells.place(
+            &places,
+            |y| {
+                let height = curve.at(y);
+                let radius = profile.rolling_radius(y, contact.rolling_radius);
+                let touches = approach.value.times(OVERLAP) > height.value;
+                ([height, radius, first_lengths.at(height, radius)], touches)
+            },
+            |y| profile.centre_x(y),
+        );
         let power = first_lengths.power(given);
         Self { given, power, iterations: 0, at_end, lowest: F::zero() }
     }

@@ -133,11 +133,11 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     /// Where the distance is least along `x`.
-    pub(super) fn centre_x(&self, y: F) -> F {
+    pub(super) fn centre_x(&self, y: WithSlope<F>) -> WithSlope<F> {
         if self.centre_x.is_empty() {
-            return F::zero();
+            return WithSlope::zero();
         }
-        self.between(self.centre_x, WithSlope::from_base(y)).value
+        self.between(self.centre_x, y)
     }
 
     /// The rolling radius at a place; `otherwise` is that of the contact.

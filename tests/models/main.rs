@@ -40,6 +40,7 @@ mod prepared_profile;
 mod profile;
 mod rig;
 mod roller;
+mod skew;
 mod slender;
 mod small_print;
 mod special_motions;

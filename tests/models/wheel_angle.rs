@@ -38,15 +38,11 @@ fn mean_angle(contacts: &[WheelContact<f64>]) -> f64 {
     sum / load_of(contacts)
 }
 
-/// Error of the force in the plane of the steep contacts of a wheel, divided by `μ N`, at the
-/// height where they have the load of the reference, and the range of their normals [degrees].
-/// `kind` precedes the reference's columns. None: there is no such reference.
+/// The steep contacts of a wheel at the height where they have a load, with its velocity.
 ///
 /// At a given vertical load a flange's normal force follows its angle: .5 degrees are 2 % of it at
 /// 70 degrees. CONTACT's plane turns by as much with the load.
-fn steep_contact(row: &Row, kind: &str) -> Option<[f64; 2]> {
-    let [load, x, s] = ["normal_force_N", "FX_N", "FS_N"].map(|name| format!("{kind}{name}"));
-    let load: f64 = row[&load].parse().ok()?;
+fn steep_contacts(row: &Row, load: f64) -> (Vec<WheelContact<f64>>, Velocity<f64>) {
     let (mut stand, position, velocity) = stand(row);
     let (middle, angle) = (number(row, "vertical_mm") * 1e-3, number(row, "angle_deg"));
     let mut contacts = |vertical: f64| -> Vec<WheelContact<f64>> {
@@ -62,12 +58,44 @@ fn steep_contact(row: &Row, kind: &str) -> Option<[f64; 2]> {
     }
     let contacts = contacts(high);
     assert!((load_of(&contacts) / load - 1.0).abs() < 1e-4, "{row:?}");
+    (contacts, velocity)
+}
+
+/// Error of the force in the plane of the steep contacts of a wheel, divided by `μ N`, at equal
+/// load, and the range of their normals [degrees]. `kind` precedes the reference's columns. None:
+/// there is no such reference.
+fn steep_contact(row: &Row, kind: &str) -> Option<[f64; 2]> {
+    let [load, x, s] = ["normal_force_N", "FX_N", "FS_N"].map(|name| format!("{kind}{name}"));
+    let load: f64 = row[&load].parse().ok()?;
+    let (contacts, velocity) = steep_contacts(row, load);
     let law = Law { model: Model::Strip, falling: None };
     let [fx, fy, fz] = of_contacts(&contacts, &velocity, law, None).unwrap().force;
     let (sine, cosine) = mean_angle(&contacts).sin_cos();
     let off = (fx + number(row, &x)).hypot(fy * cosine + fz * sine + number(row, &s));
     let range = contacts.iter().map(|contact| contact.angle_range).fold(0.0, f64::max);
     Some([off / (0.3 * load), range.to_degrees()])
+}
+
+/// The peak pressures of contacts above 50 degrees, at equal load: with yaw they are as good as
+/// without.
+#[test]
+fn steep_contacts_press_as_contact_says() {
+    let rows = rows("flange");
+    let [straight, yawed] = [false, true].map(|yawed| {
+        let rows = rows.iter().filter(|row| !row["peak_pressure_MPa"].is_empty());
+        let rows = rows.filter(|row| (number(row, "yaw_rad") != 0.0) == yawed);
+        let found = rows.map(|row| {
+            let (contacts, _) = steep_contacts(row, number(row, "normal_force_N"));
+            let strips = contacts.iter().flat_map(|contact| &contact.patch.strips);
+            let peak = strips.map(|strip| strip.peak_pressure).fold(0.0, f64::max);
+            peak * 1e-6 / number(row, "peak_pressure_MPa") - 1.0
+        });
+        with_count(found.collect())
+    });
+    println!("peak pressures without yaw {straight:.4?}, with yaw {yawed:.4?}");
+    assert!(straight.1 == 16 && straight.0[0] < 0.006);
+    assert!(yawed.1 == 16 && yawed.0[0] < 0.008 && yawed.0[1] < 0.025);
+    assert_told(&format!("with yaw {:.1} % on average", 100.0 * yawed.0[0]));
 }
 
 /// Contacts above 50 degrees whose normals turn by less than 30: conformal CONTACT, and CONTACT
