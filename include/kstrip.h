@@ -1555,9 +1555,12 @@ typedef struct kstrip_surface {
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
  *                        this distance [m], >= 0; at least four distances of the
  *                        points, 2 to 4 mm for measured profiles; 0: a profile of 320 points or
- *                        more goes through all of them, one of fewer than 234 is smoothed over
- *                        four of their distances, and one of a number between these over less. A
- *                        length below that of two distances has no effect.
+ *                        more goes through all of them. One of fewer than 234 is smoothed over
+ *                        six of their distances where they are rough: on average they lie 0.2 % of
+ *                        their distance or more beside the line that is smoothed over four. It
+ *                        goes through all of them where this is less than 0.06 %, as in drawings.
+ *                        Between these numbers it is smoothed over less. A length below that of
+ *                        two distances has no effect.
  * @param[out] surface    receives the profile.
  * @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
  *         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,

@@ -263,12 +263,15 @@ impl<'a, F: Float> Knots<'a, F> {
         }
     }
 
-    /// The largest distance of a knot from its smoothed place.
-    pub(super) fn farthest(&self, line: &Polyline<F>) -> F {
-        let points = line.points.iter().take(line.count).enumerate();
-        points.fold(F::zero(), |most, (k, point)| {
-            self.knot(k).map_or(most, |knot| most.max(distance(knot.point, *point)))
-        })
+    /// The mean and the largest distance of the knots from their smoothed places.
+    pub(super) fn distances(&self, line: &Polyline<F>) -> [F; 2] {
+        let (mut sum, mut most, mut count) = (F::zero(), F::zero(), 0_u16);
+        let knots = (0..self.count).filter_map(|k| self.knot(k));
+        for (knot, place) in knots.zip(line.points.iter().take(line.count)) {
+            let apart = distance(knot.point, *place);
+            (sum, most, count) = (sum + apart, most.max(apart), count + 1);
+        }
+        [sum / F::widened(f32::from(count.max(1))), most]
     }
 
     /// The parabola about a knot.

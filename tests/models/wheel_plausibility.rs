@@ -200,6 +200,17 @@ fn coarse_profiles_are_smoothed_or_told() {
     }
     println!("smoothed {worst:.3}, through all points {worst_through:.3}");
     assert!(worst < 0.35 && worst_through > 2.0, "{worst} {worst_through}");
+    // what is drawn is not smoothed at all; between drawn and rough nothing jumps
+    assert_eq!(drawn.z, thinned(3, &none, 1e-9).z);
+    let mut at = |share: f64| {
+        let shape: Vec<f64> = shape.iter().map(|shape| shape * share).collect();
+        pressed(&thinned(3, &shape, 0.0), -10e-3).0
+    };
+    let peaks: Vec<f64> = (0..=100).map(|i| at(f64::from(i) * 4e-3)).collect();
+    let steps = peaks.windows(2).map(|pair| (pair[1] / pair[0] - 1.0).abs());
+    let most = steps.fold(0.0, f64::max);
+    println!("largest step {most:.4}, from {:.3e} to {:.3e}", peaks[0], peaks[100]);
+    assert!(most < 0.03, "{most}");
     let coarse = thinned(6, &none, 0.0);
     let warnings = [-8e-3, 0.0].map(|lateral| pressed(&coarse, lateral).1);
     assert_eq!(warnings, [Warning::None, Warning::ProfileCoarse]);
