@@ -50,8 +50,6 @@ pub(super) fn evaluate<F: Float>(
     places: OutputPlaces<F>,
 ) -> Result<Warning, Error> {
     let forces = for_forces(options)?;
-    // (of a library without the model of the strips no other call needs them)
-    let inside = if places.strips.is_some() { for_strips(options)? } else { forces };
     // By reference: avoids a copy of 200 bytes on the stack.
     let (differentiated, under_law, nothing, alone);
     let (solution, friction, slopes) = if places.differentiates() {
@@ -75,6 +73,7 @@ pub(super) fn evaluate<F: Float>(
         let stiffness = law.map_or(F::one(), SlipFriction::slope_or_one);
         let shear_modulus = contact.shear_modulus * stiffness;
         let contact = Contact { friction, shear_modulus, ..*contact };
+        let inside = for_strips(options)?;
         warning = warning.worse(write_strips(&contact, creepage, law, &inside, strips)?);
     }
     put(places.result, *solution);

@@ -10,6 +10,7 @@ use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 /// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that
 /// registers for pairs are full whatever `M` is.
 #[derive(Clone, Copy, Debug)]
+#[repr(C)]
 pub struct Dual<P, const M: usize> {
     /// The value.
     pub value: P,
@@ -230,6 +231,15 @@ impl<F: Real, const M: usize> Number for Dual<F, M> {
         if let Some(place) = self.gradient.get_mut(direction) {
             *place = derivative;
         }
+    }
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    #[inline(always)]
+    fn add_rows_of_duals<const C: usize, const R: usize>(
+        sums: &mut [[F; 4]; C],
+        inputs: &[Self; R],
+        rows: &[[F::Stored; C]; R],
+    ) {
+        F::add_rows_beside(sums, super::rows::beside(inputs), rows);
     }
     #[inline]
     fn exceeds(self, other: Self) -> bool {

@@ -177,6 +177,27 @@ plain!(
         type WideFour = Self::Four;
         type WideEight = Self::WideRow;
         type WideSixteen = Lanes<Self::WideRow, 2>;
+
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        const HAS_ROWS: bool = true;
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
+        fn rows_at_once<const C: usize, const R: usize>(
+            start: &[f32; C],
+            inputs: &[f32; R],
+            rows: &[[f32; C]; R],
+        ) -> [f32; C] {
+            super::rows::sums(start, inputs, rows)
+        }
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
+        fn add_rows_beside<const C: usize, const R: usize>(
+            sums: &mut [[f32; 4]; C],
+            inputs: &[[f32; 4]; R],
+            rows: &[[f32; C]; R],
+        ) {
+            super::rows::add_beside(sums, inputs, rows);
+        }
     }
     Number {
         type Pair = F32Pair;

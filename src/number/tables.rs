@@ -1,7 +1,6 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one
 //! precision has none of the other.
 
-use super::lanes::Lanes;
 use super::traits::{Number, Real, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision
@@ -60,34 +59,25 @@ pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
 }
 
 /// A value and three derivatives.
-pub(crate) type ValueAndSlopes<F> = Lanes<F, 4>;
+pub(crate) type ValueAndSlopes<F> = [F; 4];
 
-/// A number without derivatives.
-#[inline]
-pub(crate) fn beside_zeros<F: Real>(x: F) -> ValueAndSlopes<F> {
-    Lanes::new([x, F::zero(), F::zero(), F::zero()])
-}
-
-/// A number with its derivatives, of which there are at most three.
-#[inline]
-pub(crate) fn beside_derivatives<T: Number>(x: &T) -> ValueAndSlopes<T::Base> {
-    const { assert!(T::DIRECTIONS <= 3) };
-    Lanes::new([x.value(), x.derivative(0), x.derivative(1), x.derivative(2)])
-}
-
-/// The value.
-#[inline]
-pub(crate) fn value_of<F: Real>(x: ValueAndSlopes<F>) -> F {
-    let [value, ..] = x.numbers();
-    value
+/// Numbers without derivatives.
+#[inline(always)]
+pub(crate) fn beside_zeros<F: Real, const N: usize>(numbers: &[F; N]) -> [ValueAndSlopes<F>; N] {
+    let mut beside = [[F::zero(); 4]; N];
+    for ([place, ..], x) in beside.iter_mut().zip(numbers) {
+        *place = *x;
+    }
+    beside
 }
 
 /// The number with its derivatives.
 #[inline]
-pub(crate) fn from_side_by_side<T: Number>(x: ValueAndSlopes<T::Base>) -> T {
-    let [value, derivatives @ ..] = x.numbers();
+pub(crate) fn from_side_by_side<T: Number>(
+    [value, by_x, by_y, by_z]: ValueAndSlopes<T::Base>,
+) -> T {
     let mut number = T::from_base(value);
-    for (direction, derivative) in derivatives.into_iter().enumerate() {
+    for (direction, derivative) in [by_x, by_y, by_z].into_iter().enumerate() {
         number.set_derivative(direction, derivative);
     }
     number
@@ -95,20 +85,27 @@ pub(crate) fn from_side_by_side<T: Number>(x: ValueAndSlopes<T::Base>) -> T {
 
 /// Registers of sums at a time: they do not wait for each other.
 const BLOCK: usize = 6;
-/// The same of contacts side by side: a register is left for the input and one for the weight. On a
-/// microcontroller a value and three derivatives stand side by side: 20 of 32 registers.
-const CONTACTS_BLOCK: usize = if cfg!(target_os = "none") { 5 } else { 12 };
+/// The same of contacts side by side: a register is left for the input and one for the weight.
+const CONTACTS_BLOCK: usize = 12;
 
-/// `sums + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
+/// `start + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
 /// (Numbers of several contacts side by side fill whole registers: some of them, then the rows
 /// again.)
 #[inline(always)]
-pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize>(
-    mut sums: [F; C],
+pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
+    start: &[F; C],
     inputs: impl Iterator<Item = F> + Clone,
-    rows: &[[F::Stored; C]],
+    rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
+    if F::HAS_ROWS {
+        let mut each = [F::zero(); R];
+        for (place, x) in each.iter_mut().zip(inputs) {
+            *place = x;
+        }
+        return F::rows_at_once(start, &each, rows);
+    }
+    let mut sums = *start;
     if F::LANES > 1 || P::COUNT == 1 {
         add_in_blocks(&mut sums, inputs, rows);
         return sums;
@@ -164,7 +161,7 @@ fn add_columns<F: Real, P: Strips<F>, const C: usize>(
 
 /// [`add_rows`] in place, of numbers that stand side by side.
 #[inline(always)]
-pub(crate) fn add_in_blocks<F: Real, const C: usize>(
+fn add_in_blocks<F: Real, const C: usize>(
     sums: &mut [F; C],
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]],

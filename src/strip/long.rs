@@ -44,7 +44,7 @@ impl<F: Real> LongContact<F> {
         let length = ratio.times(2.0).plus(-2.4);
         let fixed = [length, length.squared(), poisson, poisson * length];
         let [offset, weights @ ..] = table!(F, widen(&FIXED));
-        let start = add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights);
+        let start = add_rows::<F, F::Four, _, _>(&row(offset), fixed.iter().copied(), weights);
         Self { share, small: root.squared().squared().inverse().times(0.1), start }
     }
 

@@ -39,8 +39,8 @@ impl<F: Real> StripNetwork<F> {
     pub fn new(ratio: F, poisson: F) -> Self {
         let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
         Self {
-            start: add_rows::<F, F::Four, _>(
-                row(offset),
+            start: add_rows::<F, F::Four, _, _>(
+                &row(offset),
                 [ratio, poisson].iter().copied(),
                 weights,
             ),
@@ -76,7 +76,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         inputs: [T; INPUTS],
     ) -> [T; CORRECTIONS] {
         let values = inputs.iter().map(|x| x.value());
-        let mut units = add_rows::<F, P, _>(*self.start, values, self.input);
+        let mut units = add_rows::<F, P, _, _>(self.start, values, self.input);
         let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));
         // x = h/√(1 + h²) and dx/dh = (1 + h²)^{−3/2}
         for (h, root) in units.iter_mut().zip(&mut slopes) {
@@ -102,7 +102,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         slopes: &[F; UNITS],
         moves: impl Iterator<Item = F> + Clone,
     ) -> [F; CORRECTIONS] {
-        let mut units = add_rows::<F, P, _>([F::zero(); UNITS], moves, self.input);
+        let mut units = add_rows::<F, P, _, _>(&[F::zero(); UNITS], moves, self.input);
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }

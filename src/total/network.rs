@@ -4,8 +4,7 @@
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::lanes::Lanes;
 use crate::number::tables::{
-    ValueAndSlopes, add_in_blocks, add_rows, beside_derivatives, beside_zeros, couples_as_rows,
-    from_side_by_side, row, table, value_of, widen,
+    ValueAndSlopes, add_rows, beside_zeros, couples_as_rows, from_side_by_side, row, table, widen,
 };
 use crate::number::{Number, Real, Strips};
 
@@ -26,7 +25,7 @@ impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
     pub(super) fn for_fixed_inputs(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, couples_as_rows(&FIXED));
-        Self { sums: add_rows::<F, F::Four, _>(row(offset), fixed.iter().copied(), weights) }
+        Self { sums: add_rows::<F, F::Four, _, _>(&row(offset), fixed.iter().copied(), weights) }
     }
 
     /// The corrections for the other inputs, sums side by side in `P`. (Out of line where code must
@@ -40,23 +39,23 @@ impl<F: Real> TotalNetwork<F> {
         let first = table!(F, couples_as_rows(&FIRST));
         let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
         let [last_offset] = table!(F, widen(&[LAST_BIAS]));
-        if cfg!(target_os = "none") && T::HAS_DERIVATIVES {
+        if F::HAS_ROWS && T::HAS_DERIVATIVES {
             // Value and derivatives side by side, which reads each weight once for all.
-            let inputs = inputs.each_ref().map(beside_derivatives);
-            let mut units = self.sums.map(beside_zeros);
-            add_in_blocks(&mut units, inputs.iter().copied(), first);
+            let mut units = beside_zeros(&self.sums);
+            T::add_rows_of_duals(&mut units, &inputs, first);
             move_on(&mut units);
-            let mut others = row::<F, UNITS_2>(second_offset).map(beside_zeros);
-            add_in_blocks(&mut others, units.iter().copied(), second);
+            let mut others = beside_zeros(&row::<F, UNITS_2>(second_offset));
+            F::add_rows_beside(&mut others, &units, second);
             move_on(&mut others);
-            return last_layer(others, row::<F, 6>(last_offset).map(beside_zeros))
-                .map(from_side_by_side);
+            let outputs = beside_zeros(&row::<F, 6>(last_offset)).map(Lanes::new);
+            return last_layer(&others, |unit| Lanes::new(*unit), outputs)
+                .map(|output| from_side_by_side(output.numbers()));
         }
-        let sums = add_rows::<F, P, _>(self.sums, inputs.iter().map(|x| x.value()), first);
+        let sums = add_rows::<F, P, _, _>(&self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
-            activation(add_rows::<F, P, _>(row(second_offset), units.iter().copied(), second));
-        let mut outputs = last_layer(units, row(last_offset)).map(T::from_base);
+            activation(add_rows::<F, P, _, _>(&row(second_offset), units.iter().copied(), second));
+        let mut outputs = last_layer(&units, |unit| *unit, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
@@ -79,31 +78,35 @@ fn moved<F: Real, P: Strips<F>>(
 ) -> [F; 6] {
     let first = table!(F, couples_as_rows(&FIRST));
     let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));
-    let units = times(add_rows::<F, P, _>([F::zero(); UNITS_1], moves, first), slopes_1);
-    let units = add_rows::<F, P, _>([F::zero(); UNITS_2], units.iter().copied(), second);
-    last_layer(times(units, slopes_2), [F::zero(); 6])
+    let units = times(add_rows::<F, P, _, _>(&[F::zero(); UNITS_1], moves, first), slopes_1);
+    let units = add_rows::<F, P, _, _>(&[F::zero(); UNITS_2], units.iter().copied(), second);
+    last_layer(&times(units, slopes_2), |unit| *unit, [F::zero(); 6])
 }
 
 /// Replaces sums and their derivatives, side by side, by units and theirs.
 #[inline(always)]
 fn move_on<F: Real, const N: usize>(sums: &mut [ValueAndSlopes<F>; N]) {
-    let (units, slopes) = activation(F::each(sums, |sum| value_of(*sum)));
+    let (units, slopes) = activation(sums.map(|[sum, ..]| sum));
     for ((sum, unit), slope) in sums.iter_mut().zip(units).zip(slopes) {
-        let [_, x, y, z] = sum.numbers();
-        *sum = Lanes::new([unit, x * slope, y * slope, z * slope]);
+        let [_, x, y, z] = *sum;
+        *sum = [unit, x * slope, y * slope, z * slope];
     }
 }
 
 /// The last layer: four chains of sums for each output.
 #[inline(always)]
-fn last_layer<F: Real>(units: [F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
+fn last_layer<F: Real, U>(
+    units: &[U; UNITS_2],
+    number: impl Fn(&U) -> F,
+    mut outputs: [F; 6],
+) -> [F; 6] {
     for (output, weights) in
         outputs.iter_mut().zip(table!(F, couples_as_rows::<6, _, UNITS_2>(&LAST)))
     {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
             for ((sum, unit), weight) in sums.iter_mut().zip(units).zip(weights) {
-                *sum += *unit * F::stored(*weight);
+                *sum += number(unit) * F::stored(*weight);
             }
         }
         let [a, b, c, d] = sums;
