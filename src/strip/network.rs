@@ -1,7 +1,8 @@
 //! The fitted corrections: thirteen features, one layer of units `h/√(1 + h²)`, eight corrections.
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
-use crate::number::tables::{add_rows, row, table, widen};
+use crate::number::lanes::Lanes;
+use crate::number::tables::{add_rows, beside_zeros, from_side_by_side, row, table, widen};
 use crate::number::{Number, Real, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
@@ -75,6 +76,19 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         &self,
         inputs: [T; INPUTS],
     ) -> [T; CORRECTIONS] {
+        if F::HAS_ROWS && T::HAS_DERIVATIVES {
+            // Value and derivatives side by side, which reads each weight once for all.
+            let mut units = beside_zeros(self.start);
+            T::add_rows_of_duals(&mut units, &inputs, self.input);
+            for [h, x, y, z] in &mut units {
+                let root = h.squared().plus(1.0).inverse_root();
+                let slope = root * root.squared();
+                (*h, *x, *y, *z) = (*h * root, *x * slope, *y * slope, *z * slope);
+            }
+            let outputs = beside_zeros(&row::<F, CORRECTIONS>(self.offset)).map(Lanes::new);
+            return last(&units, |unit| Lanes::new(*unit), outputs, self.output)
+                .map(|output| from_side_by_side(output.numbers()));
+        }
         let values = inputs.iter().map(|x| x.value());
         let mut units = add_rows::<F, P, _, _>(self.start, values, self.input);
         let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));
@@ -83,7 +97,8 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
             *h = *h * *root;
             *root = *root * root.squared();
         }
-        let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
+        let mut outputs =
+            last(&units, |unit| *unit, row(self.offset), self.output).map(T::from_base);
         // Derivatives of the corrections, one input after the other.
         for direction in 0..T::DIRECTIONS {
             let moved = self.moved::<P>(&slopes, inputs.iter().map(|x| x.derivative(direction)));
@@ -106,23 +121,25 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }
-        last(&units, [F::zero(); CORRECTIONS], self.output)
+        last(&units, |unit| *unit, [F::zero(); CORRECTIONS], self.output)
     }
 }
 
 /// The last layer, in two chains of additions.
 #[inline(always)]
-fn last<F: Real, const UNITS: usize>(
-    units: &[F; UNITS],
+fn last<F: Real, U, const UNITS: usize>(
+    units: &[U; UNITS],
+    number: impl Fn(&U) -> F,
     start: [F; CORRECTIONS],
     rows: &[[F::Stored; CORRECTIONS]; UNITS],
 ) -> [F; CORRECTIONS] {
     let (mut sums, mut others) = (start, [F::zero(); CORRECTIONS]);
     let (units, rows) = (units.as_chunks::<2>().0, rows.as_chunks::<2>().0);
     for ([a, b], [of_a, of_b]) in units.iter().zip(rows) {
+        let (a, b) = (number(a), number(b));
         for ((sum, other), (p, q)) in sums.iter_mut().zip(&mut others).zip(of_a.iter().zip(of_b)) {
-            *sum += *a * F::stored(*p);
-            *other += *b * F::stored(*q);
+            *sum += a * F::stored(*p);
+            *other += b * F::stored(*q);
         }
     }
     add(&mut sums, others);
