@@ -227,6 +227,20 @@ pub(crate) fn differentiate_with_law_checked<F: Float>(
         }
         None => (contact, Warning::None),
     };
+    at_friction(contact, creepage, law, options, warning)
+}
+
+/// The same for a contact with the friction of the law, and the warning of that friction. (Out of
+/// line where the stack is short: the search for it needs no room for these results.)
+#[cfg_attr(target_arch = "x86_64", inline)]
+#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+fn at_friction<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    options: &Options,
+    warning: Warning,
+) -> Result<Differentiated<F>, Error> {
     // (by reference)
     let (solved, through);
     let (solution, slopes, of_layer) = match law.filter(|law| law.has_interface()) {

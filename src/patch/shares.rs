@@ -61,7 +61,9 @@ impl<F: Float> ZoneLaw<F> {
     }
 }
 
-/// Passes the forces of every strip to `visit`, eight strips side by side.
+/// Passes the forces of every strip to `visit`, eight strips side by side. (Out of line, so that
+/// the other models do not take its room on the stack.)
+#[inline(never)]
 pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     view: &PatchView<F>,
     slip: &PatchSlip<T>,

@@ -133,10 +133,14 @@ impl<F: Real> EllipseStrips<F> {
         } else if ROWS == VALUES {
             self.one_by_one::<P, ROWS>(&strips)
         } else {
-            let [mut first, mut second, third, last] =
-                [0, 1, 2, 3].map(|lane| self.chains::<P, ROWS>(&strips, lane));
-            add(first.as_flattened_mut(), third.as_flattened().iter().copied());
-            add(second.as_flattened_mut(), last.as_flattened().iter().copied());
+            let mut halves = [[[P::zero(); 6]; ROWS]; 2];
+            for lane in [0, 2, 1, 3] {
+                let sums = self.chains::<P, ROWS>(&strips, lane);
+                if let Some(half) = halves.get_mut(lane & 1) {
+                    add(half.as_flattened_mut(), sums.as_flattened().iter().copied());
+                }
+            }
+            let [mut first, second] = halves;
             add(first.as_flattened_mut(), second.as_flattened().iter().copied());
             first
         };
