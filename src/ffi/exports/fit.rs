@@ -26,11 +26,10 @@ fn fitted(parameters: u32) -> Result<Fitted, Error> {
 /// start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
 /// are those of the law: a member that ends at its bound has a standard error of 0.
 ///
-/// Points that lie on one part of the curve do not determine each parameter: creepages below one
-/// per cent only bound friction from below, and without the start of the curve slope factor and
-/// layer are unknown. The status is then KSTRIP_WARNING_UNDETERMINED: with errors of the forces of
-/// one per cent, or their actual errors if these are larger, a parameter would be uncertain by more
-/// than half of its value. Layer and slope factor have nearly the same effect; fit one of them.
+/// Points that lie on one part of the curve do not determine each parameter. The status is then
+/// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors if
+/// these are larger, a parameter would be uncertain by more than half of its value. Layer and slope
+/// factor have nearly the same effect; fit one of them.
 ///
 /// @param contact         ellipse, load, material of all points; its friction is ignored.
 /// @param points, count   the measured points.

@@ -8,9 +8,7 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. In full sliding
-/// the force is friction times load. As friction grows the contact begins to adhere, and the force
-/// depends on friction less and less. Where the contact adheres (less than a twentieth of the
+/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. Where the contact adheres (less than a twentieth of the
 /// friction is used, or the force is larger than linear theory gives) the status is
 /// KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
 /// bound. Where spin opposes the creepage, more than one friction may explain the force: the status
@@ -18,8 +16,7 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 /// best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
 /// across the measured force counts there as one of several solutions, and is returned only with
 /// KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a friction, most often where the force is
-/// nearly zero: this happened to up to one of ten thousand estimates with each of the models of
-/// 1967, to one of a hundred thousand with KSTRIP_MODEL_STRIP, and to none with KSTRIP_MODEL_TOTAL.
+/// nearly zero: one of ten thousand with the models of 1967, and none with KSTRIP_MODEL_TOTAL.
 ///
 /// Under a law the result is its friction, without slip: a force that was computed with the law
 /// gives the law's coefficient. If the actual law is another one, each creepage gives another
@@ -68,12 +65,9 @@ pub extern "C" fn kstrip_estimate_friction(
 
 /// The creepage at which a contact with a given spin carries a requested force.
 ///
-/// The search usually needs five solutions with derivatives. Of ten thousand plausible contacts
-/// about one needs more than 12 (14 with KSTRIP_MODEL_STRIP_1967, whose force jumps). The requested
-/// forces of these contacts are near friction times load, where the force falls before it grows
-/// further. The search ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes
-/// nearest; a force within a jump of STRIP_1967 has no creepage, which happens to seven of a
-/// thousand forces with spin. Where spin keeps the force from growing with the creepage, more than
+/// The search usually needs five solutions with derivatives, and about one of ten thousand more than
+/// 14. It ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest; a
+/// force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing with the creepage, more than
 /// one creepage may give the force; the result is one of them. A force within 0.1 % of friction
 /// times load is that of full sliding. The status is then KSTRIP_WARNING_CREEPAGE_AT_LEAST, and
 /// every creepage larger than the result gives the force as well. A lost contact carries no force
