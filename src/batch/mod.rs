@@ -4,7 +4,7 @@ pub(crate) mod one_by_one;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
-use crate::batch::one_by_one::{Case, Gathered, differentiate_each, solve_each, try_each};
+use crate::batch::one_by_one::{Case, Gathered, MOST, differentiate_each, solve_each, try_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
@@ -16,9 +16,6 @@ use crate::number::avx::HAS_WIDE_CODE;
 use crate::number::{Float, Strips};
 use crate::status::{Error, Warning};
 use heapless::Vec;
-
-/// Largest number of contacts side by side.
-const MOST: usize = 8;
 
 /// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.
 /// Returns the warning with the largest code.

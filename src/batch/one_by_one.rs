@@ -12,6 +12,9 @@ use crate::friction::derivatives::{
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
+/// Largest number of contacts side by side.
+pub(super) const MOST: usize = 8;
+
 /// A contact in motion and, where friction falls with the slip, its law.
 pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
 

@@ -7,8 +7,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::MOST;
-use crate::batch::one_by_one::{Case, Gathered, differentiate_each, solve_each};
+use crate::batch::one_by_one::{Case, Gathered, MOST, differentiate_each, solve_each};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{Derivatives, with_slopes};

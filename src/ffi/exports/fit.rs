@@ -27,9 +27,9 @@ fn fitted(parameters: u32) -> Result<Fitted, Error> {
 /// are those of the law: a member that ends at its bound has a standard error of 0.
 ///
 /// Points that lie on one part of the curve do not determine each parameter. The status is then
-/// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors if
-/// these are larger, a parameter would be uncertain by more than half of its value. Layer and slope
-/// factor have nearly the same effect; fit one of them.
+/// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
+/// if these are larger, a parameter would be uncertain by more than half of its value. Layer and
+/// slope factor have nearly the same effect; fit one of them.
 ///
 /// @param contact         ellipse, load, material of all points; its friction is ignored.
 /// @param points, count   the measured points.
