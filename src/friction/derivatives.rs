@@ -232,7 +232,7 @@ pub(crate) fn differentiate_with_law_checked<F: Float>(
 
 /// The same for a contact with the friction of the law, and the warning of that friction. (Out of
 /// line where the stack is short: the search for it needs no room for these results.)
-#[cfg_attr(target_arch = "x86_64", inline)]
+#[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
 fn at_friction<F: Float>(
     contact: &Contact<F>,
