@@ -1,7 +1,7 @@
 //! Pressure, traction and slip at points of a contact under a law of friction.
 //!
 //! The contact has the friction that agrees with the slip and the stiffness of the law. Behind a
-//! layer points are those between half-spaces and bristles ([`behind`](super::behind)).
+//! layer points are those between half-spaces and bristles (`friction::behind`).
 
 use super::behind::StripBehind;
 use super::layered::ThroughLayer;
