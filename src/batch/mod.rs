@@ -64,7 +64,7 @@ pub fn solve_batch<F: Float>(
             let _ = solved.push(solution);
         };
         let worst = solve_each(0..count, options, &get, &mut keep)?;
-        solved.into_iter().enumerate().for_each(|(i, solution)| put(i, solution));
+        solved.iter().enumerate().for_each(|(i, solution)| put(i, *solution));
         return Ok(worst);
     }
     let case = |i| {
