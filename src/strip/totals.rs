@@ -133,6 +133,7 @@ impl<F: Real> EllipseStrips<F> {
         } else if ROWS == VALUES {
             self.one_by_one::<P, ROWS>(&strips)
         } else {
+            // (c0 + c2 and c1 + c3, each where it stays: four chains at a time would take room)
             let mut halves = [[[P::zero(); 6]; ROWS]; 2];
             for lane in [0, 2, 1, 3] {
                 let sums = self.chains::<P, ROWS>(&strips, lane);
