@@ -384,7 +384,7 @@ fn a_patch_behind_a_layer_is_the_ellipse() {
             .solution;
         let bound = c.friction * c.normal_force;
         let off = (found.fx - whole.fx).hypot(found.fy - whole.fy) / bound;
-        assert!(off < 0.03, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
+        assert!(off < 0.02, "{model:?} {off} {whole:?} {found:?} {c:?} {m:?} {law:?}");
     }
 }
 
@@ -561,7 +561,8 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
     // largest and mean difference of dissipation and power, without and with the layer, of both
     // models, divided by that of friction and the rigid slip
     let mut random = Random::new(309);
-    let (mut worst, mut lost, mut mean) = (0.0_f64, [[0.0_f64; 2]; 2], [[0.0_f64; 2]; 2]);
+    let (mut worst, mut far) = (0.0_f64, 0);
+    let (mut lost, mut mean) = ([[0.0_f64; 2]; 2], [[0.0_f64; 2]; 2]);
     for n in 0..240 {
         let c = any_contact(&mut random);
         let law = any_law(&mut random, &c, n % 3 == 0);
@@ -584,6 +585,7 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
             let off = (fx - found.solution.fx).hypot(fy - found.solution.fy) / bound;
             worst = worst.max(off);
             assert!(off < 0.03, "{o:?} {off} {fx} {fy} {found:?} {law:?} {c:?} {m:?}");
+            far += usize::from(off > 0.02);
             let rigid = m.longitudinal.hypot(m.lateral) + m.spin.abs() * (c.a * c.b).sqrt();
             let gone = (dissipation - found.solution.power) / (bound * rigid);
             lost[k][n % 2] = lost[k][n % 2].max(gone.abs());
@@ -591,6 +593,7 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
         }
     }
     println!("worst {worst:.4}, {lost:.3?} {mean:.4?}");
+    assert!(far <= 1, "{far} of 480");
     // without a layer, with one: STRIP, the theory of 1967
     let limits = [[[0.16, 0.010], [0.004, 0.0004]], [[0.06, 0.004], [0.015, 0.001]]];
     for ((lost, mean), limits) in lost.iter().zip(&mean).zip(limits) {

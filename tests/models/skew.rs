@@ -114,21 +114,6 @@ fn skew_changes_a_contact_as_it_changes_that_of_hertz() {
 fn contacts_without_skew_keep_their_bits() {
     let y: Vec<f64> = (-40..=40).map(|i| f64::from(i) * 0.3e-3).collect();
     let distance: Vec<f64> = y.iter().map(|y| 3.0 * y * y + 1e4 * y.powi(4)).collect();
-    let pressed = |slope: f64| {
-        let centre: Vec<f64> = y.iter().map(|y| 1e-3 + slope * y).collect();
-        let profile = Profile::new(&y, &distance).unwrap().with_centre_x(&centre).unwrap();
-        let contact = ProfileContact {
-            rolling_radius: 0.5,
-            given: Given::Approach(80e-6),
-            shear_modulus: 82e9,
-            poisson_ratio: 0.28,
-            friction: 0.3,
-            smoothing_length: 0.0,
-        };
-        Patch::<f64, 48>::from_profile(&profile, &contact, StripCount::Sixteen).unwrap()
-    };
-    let ((patch, found), (almost, near)) = (pressed(0.0), pressed(1e-9));
-    let profile = Profile::new(&y, &distance).unwrap();
     let contact = ProfileContact {
         rolling_radius: 0.5,
         given: Given::Approach(80e-6),
@@ -137,8 +122,15 @@ fn contacts_without_skew_keep_their_bits() {
         friction: 0.3,
         smoothing_length: 0.0,
     };
-    let (plain, unskewed) =
-        Patch::<f64, 48>::from_profile(&profile, &contact, StripCount::Sixteen).unwrap();
+    let of = |profile: &Profile<f64>| {
+        Patch::<f64, 48>::from_profile(profile, &contact, StripCount::Sixteen).unwrap()
+    };
+    let pressed = |slope: f64| {
+        let centre: Vec<f64> = y.iter().map(|y| 1e-3 + slope * y).collect();
+        of(&Profile::new(&y, &distance).unwrap().with_centre_x(&centre).unwrap())
+    };
+    let ((patch, found), (almost, near)) = (pressed(0.0), pressed(1e-9));
+    let (plain, unskewed) = of(&Profile::new(&y, &distance).unwrap());
     assert_eq!(found, unskewed);
     let strips = |patch: &Patch<f64, 48>| patch.view().unwrap().strips().to_vec();
     for ((strip, plain), almost) in strips(&patch).iter().zip(strips(&plain)).zip(strips(&almost)) {
