@@ -535,6 +535,27 @@ fn pages_are_short() {
 }
 
 /// Every picture of a page has a program that draws it, which scripts/pictures.sh runs.
+/// A program of `reports/` writes these pages: what is changed by hand would be lost.
+#[test]
+fn pages_of_reports_have_the_texts_of_their_reports() {
+    for (page, texts) in [
+        ("docs/patches.md", ["patches/introduction", "patches/limits"].as_slice()),
+        (
+            "docs/reference/accuracy.md",
+            &["accuracy/introduction", "accuracy/feel", "accuracy/reference"],
+        ),
+    ] {
+        let page = read(page);
+        for text in texts {
+            let text = read(format!("reports/{text}.txt"));
+            for part in text.trim_end().split("OUTPUT") {
+                let missing = part.lines().find(|line| !page.contains(line));
+                assert!(page.contains(part), "a page has not the report's text: {missing:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn one_command_draws_every_picture() {
     let mut programs = Vec::new();
