@@ -99,11 +99,12 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     }
     let (eights, rest) = numbers.as_chunks::<8>();
     let mut sums = [F::zero(); 8];
-    for x in eights.iter().map(<[F; 8]>::as_slice).chain([rest]) {
-        for (sum, x) in sums.iter_mut().zip(x) {
+    for eight in eights {
+        for (sum, x) in sums.iter_mut().zip(eight) {
             *sum += *x * F::zero();
         }
     }
+    add(&mut sums, rest.iter().map(|x| *x * F::zero()));
     sums.iter().all(|sum| sum.is_finite_number())
 }
 
