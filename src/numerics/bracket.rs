@@ -83,8 +83,8 @@ impl<F: Float> Bracket<F> {
 /// [`Bracket`]. `of` gives the value and the derivative of the function.
 ///
 /// The search ends when a step is shorter than `4 ε` of the interval at the beginning, or than `√ε`
-/// of the present one, because the next step would be as small as the square of this one; after 60
-/// steps at the latest.
+/// of the present one, because the next step would be as small as the square of this one, or when
+/// it leads to an end of the present one; after 60 steps at the latest.
 ///
 /// ```
 /// use kstrip::numerics::bracket::{Bracket, root};
@@ -101,7 +101,9 @@ pub fn root<F: Float>(mut bracket: Bracket<F>, mut of: impl FnMut(F) -> [F; 2]) 
         let next = bracket.guarded(x - value / slope);
         let moved = (next - x).abs();
         x = next;
-        if moved <= small.max(bracket.width() * F::EPSILON.sqrt()) {
+        // (at the other end the sign is known: steps of rounding would go to and fro)
+        let known = next == bracket.negative || next == bracket.positive;
+        if known || moved <= small.max(bracket.width() * F::EPSILON.sqrt()) {
             break;
         }
     }
