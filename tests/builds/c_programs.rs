@@ -900,3 +900,26 @@ fn threads_and_rust_see_the_same_bits() {
     // Four threads of a C program, and one of this test
     assert_eq!(text.trim(), format!("threads 4 cases 4096 differing 0 hash {hash:016x}"));
 }
+
+/// The page's stack is what calls change of a painted one, and about a quarter more. (With
+/// the library as `cargo test` compiles it frames are up to twice as large.)
+#[test]
+#[cfg(all(target_arch = "x86_64", target_os = "linux"))]
+fn calls_need_the_stack_that_the_page_says() {
+    let page = std::fs::read_to_string(root().join("docs/building.md")).expect("a page");
+    let row = |line: &str| {
+        let (name, rest) = line.strip_prefix("| `")?.split_once("` | ")?;
+        Some((name.to_owned(), rest.strip_suffix(" |")?.parse::<f64>().ok()?))
+    };
+    let mut said: BTreeMap<String, f64> = page.lines().filter_map(row).collect();
+    let is_released = std::env::var_os("KSTRIP_RELEASE_LIBRARY").is_some();
+    for line in run_c("tests/c/stack.c").lines() {
+        let (name, bytes) = line.split_once(' ').expect("a name and a number");
+        let needed = bytes.parse::<f64>().expect("a number") / 1e3;
+        let limit = said.remove(name).unwrap_or_else(|| panic!("{name} is not on the page"));
+        let share = limit / needed;
+        let range = if is_released { 1.1..1.5 } else { 0.5..5.0 };
+        assert!(range.contains(&share), "{name}: {needed} kB, on the page {limit} kB");
+    }
+    assert_eq!(said.into_keys().collect::<Vec<_>>(), Vec::<String>::new(), "not measured");
+}
