@@ -8,7 +8,8 @@
 #
 # Changes of its own are: a number 5 per cent and 0.001 larger, a condition that is turned into its
 # opposite, another sign of a term, the next index. Those that do not compile are left out. The test
-# programs run one after the other until one of them fails.
+# programs run one after the other until one of them fails. Survivors that tests/mutants.txt explains
+# are called equivalent.
 #
 # Exit status: 0 all are killed (of random ones 92 per cent), 1 some survive or are stale, 77 a tool
 # is missing.
@@ -24,7 +25,7 @@ export CARGO_TARGET_DIR=$target CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0 KS
 # release is tested here.
 export CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=false
 python3 - "$copy" "$@" <<'PY'
-import argparse, os, pathlib, random, re, subprocess, sys
+import argparse, json, os, pathlib, random, re, signal, subprocess, sys, time
 
 parser = argparse.ArgumentParser(prog="scripts/mutants.sh")
 parser.add_argument("copy", type=pathlib.Path)
@@ -34,7 +35,7 @@ parser.add_argument("--seed", type=int, default=1, metavar="S")
 given = parser.parse_args()
 copy, word = given.copy, given.word
 # Programs that notice most come first.
-PROGRAMS = ["golden wheel", "units", "golden bits", "models", "theory", "interface"]
+PROGRAMS = ["golden wheel", "golden searches", "units", "golden bits", "models", "theory", "interface"]
 TERM = r"[\w.:]+(?:\([^()]*\))?(?:\.\w+(?:\([^()]*\))?)*(?![\w(\[:.!<])"
 KINDS = [
     (re.compile(r"(?:\.(?:times|plus)|[FTP]::(?:constant|of))\(([^()]+)\)"), "({}) * 1.05 + 1e-3"),
@@ -43,6 +44,15 @@ KINDS = [
     (re.compile(r"\.get(?:_mut)?\((\w+(?: [+-] \d+)?)\)"), "({}) + 1"),
 ]
 
+
+def plain(change):
+    return re.sub(r"\s+", "", change)
+
+
+# by the change; the reasons
+lines = [line for line in (copy / "tests/mutants.txt").read_text().splitlines() if line and not line.startswith("#")]
+equivalents = {plain(" ; ".join(parts[1:4])): parts[4] for parts in (line.split(" ; ") for line in lines) if parts[0] == "equivalent"}
+lines = [line for line in lines if not line.startswith("equivalent ; ")]
 
 switch = '''
 /// Whether a mutant is on.
@@ -124,7 +134,8 @@ def at_random():
         sys.exit("changes do not compile")
     chosen = chosen[:given.random]
     write(chosen)
-    survivors = 0
+    build(PROGRAMS)
+    survivors = known = 0
     programs = [program for program in PROGRAMS if not kills(0, program)]
     for program in set(PROGRAMS) - set(programs):
         print(f"left out, because without a change it does not pass: {program}")
@@ -132,29 +143,54 @@ def at_random():
         sys.exit("nothing to kill with")
     for number, path, row, start, end, new in chosen:
         if not any(kills(number, program) for program in programs):
+            line, file = sources[path].split("\n")[row], path.relative_to(copy / "src")
+            change = f"{line[:start].strip()} [[{line[start:end]}]]{line[end:]} ; {new.format(line[start:end])}"
+            reason = equivalents.get(plain(f"{file} ; {change}"))
             survivors += 1
-            line = sources[path].split("\n")[row]
-            place = f"{line[:start].strip()} [[{line[start:end]}]]{line[end:]}"
-            print(f"survives: {path.relative_to(copy / 'src')}:{row + 1} ; {place} ; {new.format(line[start:end])}", flush=True)
-    print(f"{len(chosen)} random changes of seed {given.seed}, {len(chosen) - survivors} killed, {survivors} survive")
+            known += reason is not None
+            print(f"{'equivalent' if reason else 'survives'}: {file}:{row + 1} ; {change}{' ; ' + reason if reason else ''}", flush=True)
+    print(f"{len(chosen)} random changes of seed {given.seed}, {len(chosen) - survivors} killed, {survivors} survive, {known} of them known to be equivalent")
     sys.exit(0 if survivors * 100 <= len(chosen) * 8 else 1)
 
 
-def run(number, tests, **more):
+binaries, longest = {}, {}
+
+
+def build(programs):
+    """Compiles test programs, whose files are then run directly: cargo would look for changes each time."""
+    asked = [word for program in sorted({tests.split()[0] for tests in programs}) for word in ("--test", program)]
+    done = subprocess.run(["cargo", "test", "-q", "--no-run", "--message-format", "json", *asked], cwd=copy, capture_output=True, text=True)
+    if done.returncode:
+        sys.exit(done.stderr[-3000:])
+    for line in done.stdout.splitlines():
+        found = json.loads(line)
+        if found.get("executable"):
+            binaries[found["target"]["name"]] = found["executable"]
+
+
+def run(number, tests):
+    """Exit status and output of a program; None after the time that an endless loop is taken for."""
     program, words = tests.split()[0], tests.split()[1:]
-    return subprocess.run(["cargo", "test", "-q", "--test", program, "--", *words], cwd=copy, capture_output=True, text=True, timeout=900,
-                          env={**os.environ, "KSTRIP_MUTANT": str(number)}, **more)
+    begin = time.monotonic()
+    process = subprocess.Popen([binaries[program], "-q", *words], cwd=copy, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               env={"RUST_MIN_STACK": "16777216", **os.environ, "KSTRIP_MUTANT": str(number)}, start_new_session=True)
+    try:
+        output, _ = process.communicate(timeout=longest.get(tests, 900))
+    except subprocess.TimeoutExpired:
+        # (with the programs that it runs)
+        os.killpg(process.pid, signal.SIGKILL)
+        process.communicate()
+        return None, ""
+    longest.setdefault(tests, max(60, 8 * (time.monotonic() - begin)))
+    return process.returncode, output
 
 
 def kills(number, tests):
-    try:
-        return run(number, tests).returncode != 0
-    except subprocess.TimeoutExpired:
-        return True
+    return run(number, tests)[0] != 0
+
 
 if given.random:
     at_random()
-lines = [line for line in (copy / "tests/mutants.txt").read_text().splitlines() if line and not line.startswith("#")]
 mutants, stale, edits = [], 0, {}
 for number, line in enumerate(lines, 1):
     file, place, new, tests = (part.strip() for part in line.split(" ; "))
@@ -207,10 +243,11 @@ for file, changes in edits.items():
 lib = copy / "src/lib.rs"
 lib.write_text("#![allow(unused_parens)]\n" + lib.read_text() + switch)
 
+build([tests for _, tests, _ in mutants])
 for tests in sorted({tests for _, tests, _ in mutants}):
-    done = run(0, tests)
-    if done.returncode or "running 0 tests" in done.stdout and " 0 passed" in done.stdout and not re.search(r"[1-9]\d* passed", done.stdout):
-        sys.exit(f"without a mutant {tests} does not pass, or is no test:\n{done.stdout[-3000:]}{done.stderr[-3000:]}")
+    status, output = run(0, tests)
+    if status or not re.search(r"[1-9]\d* passed", output):
+        sys.exit(f"without a mutant {tests} does not pass, or is no test:\n{output[-3000:]}")
 survivors = 0
 for number, tests, line in mutants:
     killed = kills(number, tests)

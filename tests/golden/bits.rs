@@ -127,7 +127,7 @@ fn has_rest(i: u32) -> bool {
 }
 
 /// An integer for case `i`, as in `tests/c/golden.c`.
-fn draw(i: u32, salt: u32, below: u32) -> u32 {
+pub fn draw(i: u32, salt: u32, below: u32) -> u32 {
     let x = i.wrapping_mul(2_654_435_761).wrapping_add(salt.wrapping_mul(2_246_822_519));
     let x = (x ^ (x >> 15)).wrapping_mul(2_246_822_519);
     let x = (x ^ (x >> 13)).wrapping_mul(3_266_489_917);
@@ -144,7 +144,7 @@ fn creep(i: u32, salt: u32, unit: f64) -> f64 {
     }
 }
 
-fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
+pub fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
     let contact = Contact {
         a: f64::from(1 + draw(i, 1, 200)) / 20000.0,
         b: f64::from(1 + draw(i, 2, 200)) / 20000.0,
@@ -167,7 +167,7 @@ fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
 }
 
 /// A quotient of integers, rounded to the precision.
-fn part<F: Bits>(whole: u32, of: f64) -> F {
+pub fn part<F: Bits>(whole: u32, of: f64) -> F {
     F::of(f64::from(whole) / of)
 }
 

@@ -9,4 +9,5 @@ mod single;
 mod toolchain;
 
 mod bits;
+mod searches;
 mod wheel;

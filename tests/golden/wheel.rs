@@ -23,12 +23,14 @@ use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 /// Name; profiles of rail and wheel, and the length over which they are smoothed; lateral position,
 /// yaw and roll; load \[N\]; whether the wheel is the left one.
 type Case = (&'static str, Pair, [f64; 3], f64, bool);
-type Pair = (&'static str, &'static str, f64);
+pub type Pair = (&'static str, &'static str, f64);
 
 const DRAWN: Pair = ("uic60", "s1002", 0.0);
 const WORN: Pair = ("rail288", "whl288", 2e-3);
 const GROUND: Pair = ("siteb", "s1002", 0.0);
 const MEAN: Pair = ("avgHR", "car7216", 1e-3);
+/// All of them.
+pub const PAIRS: [Pair; 4] = [DRAWN, WORN, GROUND, MEAN];
 const CASES: [Case; 15] = [
     ("tread", DRAWN, [-10.5e-3, 0.0, 0.0], 80e3, false),
     ("light contact", DRAWN, [-12e-3, 0.0, 1e-3], 30.0, false),
@@ -48,11 +50,11 @@ const CASES: [Case; 15] = [
 ];
 
 /// A rail, a wheel, and memory.
-struct Stand<F> {
-    rail: Box<Surface<F>>,
-    wheel: Box<Surface<F>>,
-    pair: WheelPair<F>,
-    memory: Box<Workspace<F>>,
+pub struct Stand<F> {
+    pub rail: Box<Surface<F>>,
+    pub wheel: Box<Surface<F>>,
+    pub pair: WheelPair<F>,
+    pub memory: Box<Workspace<F>>,
 }
 
 fn surface<F: Bits>(name: &str, smoothing_length: f64) -> Box<Surface<F>> {
@@ -62,7 +64,7 @@ fn surface<F: Bits>(name: &str, smoothing_length: f64) -> Box<Surface<F>> {
     surface
 }
 
-fn hash_surface<F: Bits>(hash: &mut Hash, surface: &Surface<F>) {
+pub fn hash_surface<F: Bits>(hash: &mut Hash, surface: &Surface<F>) {
     let Surface { y, z, cosine, sine, step, count, .. } = surface;
     let count = *count as usize;
     hash.mix(count as u64);
@@ -71,7 +73,7 @@ fn hash_surface<F: Bits>(hash: &mut Hash, surface: &Surface<F>) {
 }
 
 impl<F: Bits> Stand<F> {
-    fn new((rail, wheel, smoothing_length): Pair) -> Self {
+    pub fn new((rail, wheel, smoothing_length): Pair) -> Self {
         let places = [-0.02, -0.005, 0.01, 0.03].map(F::of);
         let pair = WheelPair {
             wheel_radius: F::of(0.46),
@@ -171,7 +173,7 @@ impl<F: Bits> Stand<F> {
     }
 }
 
-fn hash_wrench<F: Bits>(hash: &mut Hash, wrench: &Wrench<F>) {
+pub fn hash_wrench<F: Bits>(hash: &mut Hash, wrench: &Wrench<F>) {
     hash.add(&wrench.members());
     hash.add(&[wrench.dissipation, wrench.normal_force]);
     hash.mix(u64::from(wrench.contacts));
@@ -306,7 +308,7 @@ fn hashes<F: Bits>(precision: &str) -> String {
         text += &format!("{precision} {name} {:016x}\n", hash.value());
     };
     let mut hash = Hash::START;
-    for pair in [DRAWN, WORN, GROUND, MEAN] {
+    for pair in PAIRS {
         let Stand { rail, wheel, .. } = Stand::<F>::new(pair);
         hash_surface(&mut hash, &rail);
         hash_surface(&mut hash, &wheel);
@@ -329,7 +331,11 @@ fn hashes<F: Bits>(precision: &str) -> String {
 #[test]
 fn wheels_and_profiles_give_the_golden_bits() {
     let path = root().join("tests/data/golden_wheel.txt");
-    let here = hashes::<f64>("double") + &hashes::<f32>("single");
+    let here = std::thread::scope(|scope| {
+        let double = scope.spawn(|| hashes::<f64>("double"));
+        let single = hashes::<f32>("single");
+        double.join().expect("hashes") + &single
+    });
     if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
         std::fs::write(&path, &here).expect("tests/data is writable");
     }

@@ -50,6 +50,32 @@ fn prepared_contacts_give_the_same_bits() {
     same_bits!(f32, kstrip_solve_f32, kstrip_prepare_f32, kstrip_solve_prepared_f32);
 }
 
+/// A prepared contact warns of a spin where `kstrip_solve` does, just above the limit as well: the
+/// larger of `0.05/√(a b)` and `5 p₀/(G a)`.
+#[test]
+fn prepared_contacts_warn_of_spin_from_the_same_place_on() {
+    let mut random = Random::new(8);
+    for n in 0..400 {
+        let (a, pressure) = (4e-3 * random.log_between(0.1, 10.0), random.log_between(1e7, 7e9));
+        let load = pressure * std::f64::consts::PI * a * 4e-3 / 1.5;
+        let limit = (0.05 / (a * 4e-3).sqrt()).max(5.0 * pressure / (82e9 * a));
+        let (share, warns) = [(0.99, false), (1.01, true)][n as usize % 2];
+        let numbers = [a, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, share * limit, 0.0];
+        let (contact, creepage) = problem(numbers);
+        let options = kstrip_options { model: [3, 4, 5][n as usize % 3], strips: 8 };
+        let mut prepared = MaybeUninit::uninit();
+        assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
+        // SAFETY: status 0.
+        let prepared = unsafe { prepared.assume_init() };
+        let mut found = MaybeUninit::<Solution<f64>>::uninit();
+        let status =
+            kstrip_solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut found));
+        let same = kstrip_solve_prepared(Some(&prepared), Some(&creepage), Some(&mut found));
+        assert_eq!(status, same, "{contact:?} {creepage:?}");
+        assert_eq!(status == KSTRIP_WARNING_SPIN_UNIT, warns, "{contact:?} {creepage:?}");
+    }
+}
+
 /// Zero, and any other bits, with a model and without.
 #[test]
 fn what_is_not_prepared_is_refused() {

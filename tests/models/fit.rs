@@ -249,6 +249,37 @@ fn points_that_do_not_tell_are_named() {
     assert_eq!(fit(&low, which, start).warning, Warning::None);
 }
 
+/// The warning begins where the standard error of a parameter is half of it.
+#[test]
+fn undetermined_begins_at_half_of_a_parameter() {
+    let which = [true, false, false, true, false, false];
+    let truth = SlipFriction { slope_factor: 0.3, ..SlipFriction::of_constant(0.35) };
+    let fitted = |noise: f64| {
+        let points: Vec<_> = (1..=30)
+            .map(|i| {
+                let creepage = along(4e-3 * f64::from(i) / 30.0);
+                let found =
+                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
+                let sign = [1.0, -1.0, -1.0, 1.0][i as usize % 4];
+                point(creepage.longitudinal, found.solution.fx + sign * noise * 106.7e3)
+            })
+            .collect();
+        fit(&points, which, SlipFriction::of_constant(0.3))
+    };
+    let (mut low, mut high) = (0.01, 1.0);
+    assert_eq!(fitted(low).warning, Warning::None);
+    assert_eq!(fitted(high).warning, Warning::Undetermined);
+    while high - low > 1e-4 * low {
+        let middle = (low + high) / 2.0;
+        let warned = fitted(middle).warning == Warning::Undetermined;
+        *(if warned { &mut high } else { &mut low }) = middle;
+    }
+    let found = fitted(low);
+    let share = (found.standard_errors.friction / found.law.friction)
+        .max(found.standard_errors.slope_factor / found.law.slope_factor);
+    assert!((share - 0.5).abs() < 5e-3, "{share} {found:?}");
+}
+
 #[test]
 fn bad_points_are_named() {
     let good = [point(1e-3, 10e3), point(1e-2, 30e3)];

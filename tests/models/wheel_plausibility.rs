@@ -95,6 +95,12 @@ fn wheels_on_rails_are_told_what_is_implausible() {
         (WheelPair { wheel_radius: 460.0, ..pair }, Warning::Radius),
         (WheelPair { friction: 0.0, poisson_ratio: 0.0, ..pair }, Warning::Unset),
         (WheelPair { friction: 0.0, ..pair }, Warning::None),
+        (WheelPair { friction: 4.95, ..pair }, Warning::None),
+        (WheelPair { friction: 5.05, ..pair }, Warning::Friction),
+        (WheelPair { shear_modulus: 1.01e5, ..pair }, Warning::None),
+        (WheelPair { shear_modulus: 0.99e5, ..pair }, Warning::Modulus),
+        (WheelPair { wheel_radius: 4.95, ..pair }, Warning::AxisRatio),
+        (WheelPair { wheel_radius: 5.05, ..pair }, Warning::Radius),
         (WheelPair { poisson_ratio: 0.0, ..pair }, Warning::None),
     ];
     for (pair, expected) in cases {

@@ -181,6 +181,47 @@ fn a_wheel_is_told_from_tread_to_flange() {
     }
 }
 
+/// Every limit of the table holds within a hundredth, from both sides.
+#[test]
+fn limits_are_where_the_table_has_them() {
+    let contact = contact(&ORDINARY[0]);
+    let still = creepage(0.0, 0.0, 0.0);
+    let Contact { a, b, shear_modulus, friction, .. } = contact;
+    // N of p₀ = 0.1 G
+    let pressed = |a: f64, b: f64| 0.1 * shear_modulus * (2.0 / 3.0) * std::f64::consts::PI * a * b;
+    let inclined = 5.0 * contact.peak_pressure() / (shear_modulus * a);
+    assert!(inclined > 0.05 / (a * b).sqrt());
+    // (a contact of little load, whose spin is limited by the slip at its edge)
+    let light = Contact { normal_force: 10.0, ..contact };
+    for (share, over) in [(0.99, false), (1.01, true)] {
+        let of = |warning| if over { warning } else { Warning::None };
+        let said = |contact: Contact<f64>| implausibility(&contact, &still);
+        let load = share * pressed(a, b);
+        assert_eq!(said(Contact { normal_force: load, ..contact }), of(Warning::Pressure));
+        assert_eq!(said(Contact { a: share, ..contact }), of(Warning::SemiAxis));
+        assert_eq!(said(Contact { b: share, ..contact }), of(Warning::SemiAxis));
+        assert_eq!(said(Contact { friction: 5.0 * share, ..contact }), of(Warning::Friction));
+        assert_eq!(said(Contact { mismatch: -0.25 * share, ..contact }), of(Warning::Mismatch));
+        for sign in [1.0, -1.0] {
+            let said = |x, y, spin| implausibility(&contact, &creepage(x, y, spin));
+            let size = 10.0 * share * sign;
+            assert_eq!(said(size, 0.0, 0.0), of(Warning::Creepage));
+            assert_eq!(said(0.0, size, 0.0), of(Warning::Creepage));
+            assert_eq!(said(0.0, 0.0, share * sign * inclined), of(Warning::Spin));
+            let edge = creepage(0.0, 0.0, share * sign * 0.05 / (a * b).sqrt());
+            assert_eq!(implausibility(&light, &edge), of(Warning::Spin));
+        }
+        let warned = |radii: [f64; 4]| {
+            let [lower_x, lower_y, upper_x, upper_y] = radii;
+            let radii = Radii { lower_x, lower_y, upper_x, upper_y };
+            from_hertz(&radii, &pair(shear_modulus), 1e3, friction).unwrap().2
+        };
+        let radius = 5.0 * share;
+        assert_eq!(warned([FLAT, FLAT, radius, radius]), of(Warning::Radius));
+        assert_eq!(warned([FLAT, FLAT, radius, 10.0 * radius]), of(Warning::Radius));
+    }
+}
+
 /// The first cause is named: of a contact in millimetres the semi-axis, not the spin or the
 /// pressure that follow from it.
 #[test]

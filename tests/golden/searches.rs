@@ -1,0 +1,413 @@
+//! The same bits of what searches find, and how many steps they take: Hertz's axis ratio, friction
+//! and creepage for a force, fits, zones that have just begun, wheels, wheelsets in balance, and
+//! profiles that scatter or are scanned twice. All inputs are quotients of whole numbers drawn at
+//! random.
+
+use crate::bits::{Bits, Hash, draw, inputs, part};
+use crate::manchester::zeroed;
+use crate::single::{converted, converted_motion};
+use crate::toolchain::root;
+use crate::wheel::{PAIRS, Stand, hash_surface, hash_wrench};
+
+use kstrip::contact::creepage::Creepage;
+use kstrip::contact::hertz::Radii;
+use kstrip::contact::material::CombinedMaterial;
+use kstrip::contact::totals::StripCount;
+use kstrip::contact::{Contact, from_approach, from_hertz};
+use kstrip::forces::{self, Model, Options};
+use kstrip::friction::{SlipFriction, solve_with_law};
+use kstrip::internals::{creepage_counted, estimate_counted};
+use kstrip::normal::cells::Given;
+use kstrip::normal::{Indentation, Profile, ProfileContact};
+use kstrip::patch::Patch;
+use kstrip::rig::Measured;
+use kstrip::rig::fit::{MeasuredForce, fit_friction};
+use kstrip::status::Warning;
+use kstrip::wheel_rail::scene::Scene;
+use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::wrench::{Law, WrenchByPosition, WrenchDerivatives};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use kstrip::wheelset::forces::{Wheelset, WheelsetWorkspace};
+use kstrip::wheelset::kinematics::Side;
+use kstrip::wheelset::settle::WheelsetLoads;
+use kstrip::wheelset::track::RailMotion;
+
+/// A number from -1 to 1 in thousandths.
+fn swing(i: u32, salt: u32) -> f64 {
+    f64::from(draw(i, salt, 2001)) / 1000.0 - 1.0
+}
+
+/// One of three sizes, each a power of ten, times 1 to 9.
+fn size(i: u32, salt: u32, powers: [f64; 3]) -> f64 {
+    f64::from(1 + draw(i, salt, 9)) * powers[draw(i, salt + 1, 3) as usize]
+}
+
+/// Ellipses of bodies, nearly round ones, and needles.
+fn hash_hertz<F: Bits>(hash: &mut Hash) {
+    for i in 0..400 {
+        let of = |salt| size(i, salt, [1e-3, 0.1, 10.0]);
+        let [lower_x, lower_y, upper_x] = [of(1), of(3), of(5)];
+        let round = 1.0 + size(i, 7, [1e-6, 1e-4, 1e-2]);
+        let upper_y = if i % 4 == 0 { upper_x * round } else { of(9) };
+        let lower_y = if i % 4 == 0 { lower_x } else { lower_y };
+        let [lower_x, lower_y, upper_x, upper_y] = [lower_x, lower_y, upper_x, upper_y].map(F::of);
+        let radii = Radii { lower_x, lower_y, upper_x, upper_y };
+        let pair = CombinedMaterial {
+            shear_modulus: F::of(82e9),
+            poisson_ratio: part(draw(i, 11, 50), 100.0),
+            mismatch: F::zero(),
+        };
+        let load = F::of(size(i, 12, [1.0, 100.0, 1e4]));
+        let found = from_hertz(&radii, &pair, load, F::of(0.3));
+        let found = found.map(|(contact, ellipse, warning)| ((contact, ellipse), warning));
+        let Some((contact, ellipse)) = hash.status(found) else { continue };
+        hash.add(&[contact.a, contact.b, ellipse.peak_pressure, ellipse.approach]);
+        hash.add(&[ellipse.axis_ratio, ellipse.hertz_angle, ellipse.rho]);
+        let found = from_approach(&radii, &pair, ellipse.approach, F::of(0.3));
+        let found = found.map(|(contact, stiffness, warning)| ((contact, stiffness), warning));
+        if let Some((contact, stiffness)) = hash.status(found) {
+            hash.add(&[contact.a, contact.b, contact.normal_force, stiffness]);
+        }
+    }
+}
+
+/// Frictions and creepages for a force, with the number of solutions; half of the motions have a
+/// spin that opposes the lateral creepage, so that several frictions fit.
+fn hash_rigs<F: Bits>(hash: &mut Hash) {
+    for i in 0..2000 {
+        let (contact, mut creepage, options) = inputs(i);
+        if i % 2 == 0 {
+            // (of the unit of slip, 2 μ p₀/G, with p₀ about N/(2 a b))
+            let Contact { a, b, normal_force, shear_modulus, friction, .. } = contact;
+            let unit = friction * normal_force / (a * b * shear_modulus);
+            let of = |salt| f64::from(1 + draw(i, salt, 40)) / 10.0 * unit;
+            let longitudinal = [0.0, 0.1, 1.0][draw(i, 24, 3) as usize] * of(21);
+            creepage = Creepage { longitudinal, lateral: of(22), spin: -of(23) / a };
+        }
+        let contact: Contact<F> = converted(&contact);
+        let creepage: Creepage<F> = converted_motion(&creepage);
+        let Ok(made) = forces::forces_of_contact(&contact, &creepage, &options) else { continue };
+        for (measured, force) in [
+            (Measured::Fx, [made.fx, F::zero()]),
+            (Measured::Fy, [F::zero(), made.fy]),
+            (Measured::Both, [made.fx, made.fy]),
+        ] {
+            let found = estimate_counted(&contact, &creepage, &options, measured, force);
+            let found = found.map(|(used, found, count)| ((used, found, count), found.warning));
+            if let Some((used, found, count)) = hash.status(found) {
+                hash.add(&[used, found.friction, found.sensitivity, found.residual]);
+                hash.mix(count as u64);
+            }
+        }
+        for share in [0.2, 0.9, 1.0] {
+            let force = [made.fx, made.fy].map(|force| force * F::of(share));
+            let found = creepage_counted(&contact, force, creepage.spin, &options);
+            let found = found.map(|found| (found, Warning::None));
+            if let Some((motion, distance, count)) = hash.status(found) {
+                hash.add(&[motion.longitudinal, motion.lateral, distance]);
+                hash.mix(count as u64);
+            }
+        }
+    }
+}
+
+/// Loads between which one friction becomes three and one again, of laws that fall.
+fn hash_folds<F: Bits>(hash: &mut Hash) {
+    for i in 0..120 {
+        // (the numbers of one such contact, and others near it)
+        let near = |size: f64, salt| F::of(size * (1.0 + 0.02 * swing(i, salt) * f64::from(i % 3)));
+        let contact = Contact {
+            a: near(1.895_987_803_9e-3, 1),
+            b: near(12.213_934_758e-3, 2),
+            normal_force: F::of(3780.0 + f64::from(i) * 0.5),
+            shear_modulus: F::of(82e9),
+            poisson_ratio: F::of(0.28),
+            friction: F::of(0.3),
+            mismatch: F::zero(),
+        };
+        let law = SlipFriction {
+            friction: near(0.270_816_316_4, 3),
+            ratio: F::of(0.313_705_792_6),
+            decay: near(3.110_822_057, 4),
+            rolling_speed: F::of(14.0),
+            slope_factor: F::zero(),
+            slide_factor: F::zero(),
+            layer: F::zero(),
+        };
+        let creepage = Creepage {
+            longitudinal: near(-2.592_569e-3, 5),
+            lateral: near(-8.262_624e-3, 6),
+            spin: near(-0.888_384, 7),
+        };
+        let model = [Model::Total, Model::Total, Model::Strip][i as usize % 3];
+        let options = Options { model, strips: StripCount::Eight };
+        let found = solve_with_law(&contact, &creepage, &law, &options);
+        let found = found.map(|found| (found, found.solution.warning));
+        let Some(found) = hash.status(found) else { continue };
+        hash.add(&[found.friction, found.solution.fx, found.solution.fy]);
+    }
+}
+
+/// Laws that are fitted to points that scatter.
+fn hash_fits<F: Bits>(hash: &mut Hash) {
+    let contact = Contact {
+        a: F::of(6.3e-3),
+        b: F::of(12.6e-3),
+        normal_force: F::of(106.7e3),
+        shear_modulus: F::of(82e9),
+        poisson_ratio: F::of(0.28),
+        friction: F::of(0.33),
+        mismatch: F::zero(),
+    };
+    for i in 0..24 {
+        let points: Vec<_> = (0..10)
+            .map(|n| {
+                // a curve that rises, and falls a little
+                let c = f64::from(n + 1) * f64::from(n + 1);
+                let rise = c / (c + f64::from(1 + draw(i, 1, 30))) * (1.0 - c / 800.0);
+                let scatter = f64::from(draw(i, 2, 8)) / 100.0 * swing(i, 10 + n);
+                MeasuredForce {
+                    longitudinal: F::of(c * 5e-4),
+                    lateral: F::zero(),
+                    spin: F::zero(),
+                    fx: F::of(106.7e3 * 0.35 * (rise + scatter)),
+                    fy: F::zero(),
+                    weight: part(1 + draw(i, 30 + n, 3), 2.0),
+                    measured: 1,
+                    reserved: 0,
+                }
+            })
+            .collect();
+        let start = SlipFriction {
+            friction: F::zero(),
+            ratio: F::of(0.5),
+            decay: F::of(0.3),
+            rolling_speed: F::of(10.0),
+            slope_factor: F::of(0.5),
+            slide_factor: F::zero(),
+            layer: F::zero(),
+        };
+        let fitted = [0, 1, 2, 3, 4, 5].map(|k| k == 0 || draw(i, 50 + k, 2) == 1);
+        let model = if i % 3 == 0 { Model::Strip } else { Model::Total };
+        let options = Options { model, strips: StripCount::Eight };
+        let found = fit_friction(&contact, &points, &start, fitted, &options);
+        let found = found.map(|found| (found, found.warning)).map_err(|(_, error)| error);
+        let Some(found) = hash.status(found) else { continue };
+        for of in [&found.law, &found.standard_errors] {
+            let SlipFriction { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = of;
+            hash.add(&[*friction, *ratio, *decay, *slope_factor, *slide_factor, *layer]);
+        }
+        hash.add(&[found.residual]);
+        hash.mix(u64::from(found.steps));
+    }
+}
+
+/// Patches with a second and a third zone that have begun by some micrometres or by a thousandth of
+/// one, near the first or far from it.
+fn hash_young_zones<F: Bits>(hash: &mut Hash) {
+    for i in 0..40 {
+        let (count, step) = (81, 2.5e-4);
+        let y: Vec<f64> = (0..count).map(|n| (f64::from(n) - 40.0) * step).collect();
+        let apart =
+            [1, 2].map(|k| f64::from(12 + draw(i, k, 80)) * 1e-4 * [-1.0, 1.0][k as usize - 1]);
+        let overlap = F::of(f64::from(10 + draw(i, 3, 60)) * 1e-6);
+        let [one, two] = [4, 6].map(|salt| size(i, salt, [1e-9, 1e-7, 1e-6]));
+        let distance: Vec<f64> = y
+            .iter()
+            .map(|y| {
+                let dip = |place: f64, depth: f64| {
+                    (y - place) * (y - place) / 0.05 + overlap.to_f64() - depth
+                };
+                let main = y * y / 0.5;
+                main.min(dip(apart[0], one)).min(dip(apart[1], two))
+            })
+            .collect();
+        let [y, distance] =
+            [y, distance].map(|list| list.into_iter().map(F::of).collect::<Vec<_>>());
+        let Ok(profile) = Profile::new(&y, &distance) else { continue };
+        for given in [Given::Approach(overlap), Given::Load(F::of(size(i, 8, [10.0, 1e3, 1e4])))] {
+            let contact = ProfileContact {
+                rolling_radius: F::of(0.45),
+                given,
+                shear_modulus: F::of(82e9),
+                poisson_ratio: F::of(0.28),
+                friction: F::of(0.3),
+                smoothing_length: F::of([0.0, 3e-4, 1e-3][draw(i, 10, 3) as usize]),
+            };
+            let strips = [StripCount::Four, StripCount::Eight, StripCount::Sixteen];
+            let built =
+                Patch::<F, 64>::from_profile(&profile, &contact, strips[draw(i, 11, 3) as usize]);
+            let built = built.map(|(patch, found)| ((patch, found), found.warning));
+            let Some((patch, found)) = hash.status(built) else { continue };
+            let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, .. } =
+                found;
+            hash.add(&[approach, normal_force, stiffness, peak_pressure, peak_y, found.lowest]);
+            hash.mix(u64::from(found.iterations));
+            for s in &patch.strips {
+                hash.add(&[s.y, s.width, s.half_length, s.centre_x, s.peak_pressure]);
+            }
+        }
+    }
+}
+
+fn velocity<F: Bits>(i: u32) -> Velocity<F> {
+    let rates = [20.0, 0.2, 0.02, 0.02, 0.5, 0.02];
+    let [forward, lateral, vertical, roll, pitch, yaw] =
+        [0, 1, 2, 3, 4, 5].map(|k| F::of(rates[k as usize] * swing(i, 20 + k)));
+    Velocity { forward, lateral, vertical, roll, pitch: pitch - forward / F::of(0.46), yaw }
+}
+
+/// Wheels anywhere on rails.
+fn hash_wheels<F: Bits>(hash: &mut Hash) {
+    let mut stands = PAIRS.map(Stand::<F>::new);
+    for i in 0..24 {
+        let Stand { rail, wheel, pair, memory } = &mut stands[i as usize % 4];
+        let from = [-10e-3, -70e-3, 0.0, -77e-3][i as usize % 4];
+        let pair = WheelPair {
+            left: 0,
+            normal_damping: F::of(0.1) * part(draw(i, 1, 3), 1.0),
+            floor_speed: F::of(1e-3) * part(draw(i, 2, 3), 1.0),
+            rail_radius: if i % 6 == 5 { F::of(1.5) } else { F::zero() },
+            ..*pair
+        };
+        let law = Law { model: Model::Strip, falling: None };
+        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Eight, law };
+        let place = Position {
+            lateral: F::of(from + 9e-3 * swing(i, 3)),
+            vertical: F::zero(),
+            yaw: F::of(0.02 * swing(i, 4)),
+            roll: F::of(0.01 * swing(i, 5)),
+        };
+        let load = F::of(size(i, 6, [1.0, 1e3, 1e4]));
+        let found = scene.height_for_load(&place, load, None, memory);
+        let Some(vertical) = hash.status(found) else { continue };
+        hash.add(&[vertical]);
+        // (much deeper as well)
+        for deeper in [0.3e-3, 2e-3, 6e-3] {
+            let position = Position { vertical: vertical + F::of(deeper), ..place };
+            let found = scene.solve(&position, &Velocity::default(), memory, None, None);
+            if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
+                hash_wrench(hash, &wrench);
+            }
+        }
+        let position = Position { vertical, ..place };
+        let mut by_velocity = WrenchDerivatives::default();
+        let mut by_position = WrenchByPosition::default();
+        let rolls = velocity(i);
+        let found =
+            scene.solve(&position, &rolls, memory, Some(&mut by_velocity), Some(&mut by_position));
+        if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
+            hash_wrench(hash, &wrench);
+            by_velocity.velocity.iter().for_each(|row| hash.add(row));
+            let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
+            [lateral, vertical, yaw, roll].iter().for_each(|slopes| hash.add(slopes));
+        }
+    }
+}
+
+/// Wheelsets in balance, whose loads lie aside and drive.
+fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
+    let Stand { rail, wheel, pair, .. } = Stand::<F>::new(PAIRS[0]);
+    let mut memory = zeroed::<WheelsetWorkspace<F>>();
+    let pairs = [pair, WheelPair { left: 1, ..pair }];
+    let law = Law { model: Model::Strip, falling: None };
+    for i in 0..8 {
+        let strips = StripCount::Eight;
+        let scenes =
+            [0, 1].map(|k| Scene { rail: &rail, wheel: &wheel, pair: &pairs[k], strips, law });
+        let still = RailMotion::default();
+        let sides = [(1.0, 6), (-1.0, 8)].map(|(sign, rail)| Side {
+            arm: F::of(sign * 0.75),
+            origin: F::of(sign * 0.760_532_5),
+            excess: F::zero(),
+            rail,
+            motion: still,
+        });
+        let start = Position {
+            lateral: F::of(7e-3 * swing(i, 1)),
+            vertical: F::of(1e-3 * swing(i, 2)),
+            yaw: F::of(0.01 * swing(i, 3)),
+            roll: F::of(2e-3 * swing(i, 4)),
+        };
+        let loads = WheelsetLoads {
+            vertical: F::of(100e3),
+            roll: F::of(60e3 * swing(i, 5)),
+            pitch: F::of(8e3 * swing(i, 6)),
+        };
+        let found = Wheelset { scenes, sides }.settle(&start, &velocity(i), &loads, &mut memory);
+        let Some(found) = hash.status(found.map(|found| (found, found.warning))) else { continue };
+        let Position { vertical, roll, .. } = found.position;
+        hash.add(&[vertical, roll, found.velocity.pitch]);
+        hash_wrench(hash, &found.forces.wrench);
+    }
+}
+
+/// Profiles that scatter in both axes, of which a part may be scanned twice.
+fn hash_scans<F: Bits>(hash: &mut Hash) {
+    for i in 0..24 {
+        let count = 100 + draw(i, 1, 400);
+        let noise = size(i, 2, [1e-7, 1e-6, 1e-5]);
+        let (from, twice) = (draw(i, 4, count - 20), if i % 2 == 0 { draw(i, 5, 12) } else { 0 });
+        let mut points = Vec::new();
+        for (n, k) in (0..).zip((0..from + twice).chain(from..count)) {
+            let y = (f64::from(k) / f64::from(count) - 0.5) * 0.07 + noise * swing(i, 1000 + n);
+            points.push([y, y * y / 0.6 + noise * swing(i, 3000 + n)]);
+        }
+        let [y, z] = [0, 1].map(|k| points.iter().map(|of| F::of(of[k])).collect::<Vec<_>>());
+        let mut surface = zeroed::<Surface<F>>();
+        let smoothing = F::of([0.0, 1e-3][draw(i, 6, 2) as usize]);
+        let found = surface.prepare(&y, &z, F::zero(), smoothing);
+        if hash.status(found.map(|warning| ((), warning))).is_some() {
+            hash_surface(hash, &surface);
+        }
+    }
+    // (from a smooth line to one that turns too much)
+    for i in 0..36 {
+        let height = (60.0 + 2.0 * f64::from(i)) * 1e-3 * 2e-4;
+        let y: Vec<F> = (0..400).map(|n| F::of((f64::from(n) - 200.0) * 2e-4)).collect();
+        let z: Vec<F> =
+            (0..400).map(|n| F::of(if n % 2 == 0 { height } else { -height })).collect();
+        let mut surface = zeroed::<Surface<F>>();
+        let found = surface.prepare(&y, &z, F::zero(), F::zero());
+        if hash.status(found.map(|warning| ((), warning))).is_some() {
+            hash_surface(hash, &surface);
+        }
+    }
+}
+
+fn hashes<F: Bits>(precision: &str) -> String {
+    let mut text = String::new();
+    let mut part = |name: &str, add: fn(&mut Hash)| {
+        let mut hash = Hash::START;
+        add(&mut hash);
+        text += &format!("{precision} {name} {:016x}\n", hash.value());
+    };
+    part("ellipses of bodies", hash_hertz::<F>);
+    part("searches of rigs", hash_rigs::<F>);
+    part("several frictions", hash_folds::<F>);
+    part("fits", hash_fits::<F>);
+    part("young zones", hash_young_zones::<F>);
+    part("wheels anywhere", hash_wheels::<F>);
+    part("wheelsets in balance", hash_wheelsets::<F>);
+    part("scans", hash_scans::<F>);
+    text
+}
+
+/// (In builds without optimisation, `KSTRIP_GOLDEN_FEW`, this would take a minute.)
+#[test]
+fn searches_give_the_golden_bits() {
+    if std::env::var_os("KSTRIP_GOLDEN_FEW").is_some() {
+        return;
+    }
+    let path = root().join("tests/data/golden_searches.txt");
+    let here = std::thread::scope(|scope| {
+        let double = scope.spawn(|| hashes::<f64>("double"));
+        let single = hashes::<f32>("single");
+        double.join().expect("hashes") + &single
+    });
+    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
+        std::fs::write(&path, &here).expect("tests/data is writable");
+    }
+    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
+    assert_eq!(here, golden, "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results change");
+}
