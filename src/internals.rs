@@ -12,7 +12,7 @@ use crate::status::Error;
 use crate::strip::long::LongContact;
 use crate::strip::{Spin, StripCreepage, StripForces, totals};
 
-pub use crate::number::avx::has_avx;
+pub use crate::number::avx::{has_avx, has_avx512};
 pub use crate::strip::any::{eight_one_by_one, eight_strips};
 pub use crate::strip::totals::power_projected;
 

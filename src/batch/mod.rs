@@ -4,7 +4,9 @@ pub(crate) mod one_by_one;
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod side_by_side;
 
-use crate::batch::one_by_one::{Case, Gathered, MOST, differentiate_each, solve_each, try_each};
+use crate::batch::one_by_one::{
+    Case, Found, Gathered, MOST, differentiate_each, solve_each, try_each,
+};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
@@ -90,7 +92,7 @@ pub(crate) fn solve_under_friction<F: Float>(
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
-) -> Result<Warning, (usize, Error)> {
+) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| match law {
         Some(law) => friction::check_with_law(contact, creepage, law, options),
         None => forces::check(contact, creepage, options),
@@ -123,7 +125,7 @@ fn check_each<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
     check: impl Fn(&Case<F>) -> Result<(), Error>,
-) -> Result<(), (usize, Error)> {
+) -> Found<()> {
     let check = |numbers| try_each(numbers, |i| check(&get(i)));
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE && let Some(checked) = side_by_side::check_side_by_side(count, get, &check) {
@@ -142,7 +144,7 @@ pub(crate) fn differentiate_batch<F: Float>(
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, &Gathered<F>),
-) -> Result<Warning, (usize, Error)> {
+) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| {
         derivatives::check_differentiable(contact, creepage, law.as_ref(), options)
     })?;

@@ -12,8 +12,11 @@ use crate::friction::derivatives::{
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
+/// A result, or the first bad input and its number.
+pub(crate) type Found<T> = Result<T, (usize, Error)>;
+
 /// Largest number of contacts side by side.
-pub(super) const MOST: usize = 8;
+pub(super) const MOST: usize = 16;
 
 /// A contact in motion and, where friction falls with the slip, its law.
 pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
@@ -50,7 +53,7 @@ pub(crate) fn solve_each<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
     put: &mut impl FnMut(usize, Solution<F>),
-) -> Result<Warning, (usize, Error)> {
+) -> Found<Warning> {
     let mut worst = Warning::None;
     for i in numbers {
         let (contact, creepage) = get(i);
@@ -69,7 +72,7 @@ pub(crate) fn differentiate_each<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, &Gathered<F>),
-) -> Result<Warning, (usize, Error)> {
+) -> Found<Warning> {
     let mut worst = Warning::None;
     try_each(numbers, |i| {
         let (contact, creepage, law) = get(i);
@@ -108,6 +111,6 @@ pub(crate) fn differentiate_each<F: Float>(
 pub(super) fn try_each(
     mut numbers: core::ops::Range<usize>,
     mut task: impl FnMut(usize) -> Result<(), Error>,
-) -> Result<(), (usize, Error)> {
+) -> Found<()> {
     numbers.try_for_each(|i| task(i).map_err(|error| (i, error)))
 }

@@ -1,13 +1,15 @@
-//! Many contacts at once where the processor has registers of 256 bits (AVX): four contacts side by
-//! side in double precision, eight in single precision.
+//! Many contacts at once where the processor has wide registers. In those of 256 bits (AVX) four
+//! contacts stand side by side in double precision and eight in single precision, in those of
+//! 512 bits (AVX-512) twice as many.
 //!
 //! The road is that of one contact ([`Theory`]), with [`Lanes`](crate::number::lanes::Lanes) for
 //! numbers, whose bits are those of plain numbers; each model has code of its own, compiled for
-//! these registers.
+//! these registers. What fills no group of the widest registers goes on to the narrower ones, and
+//! from there one by one.
 
 #![allow(unsafe_code)]
 
-use crate::batch::one_by_one::{Case, Gathered, MOST, differentiate_each, solve_each};
+use crate::batch::one_by_one::{self, Case, Found, Gathered, MOST};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{Derivatives, with_slopes};
@@ -17,9 +19,9 @@ use crate::forces::theory::{
 };
 use crate::forces::warning::{LARGEST_SPIN, RATIOS, linear_warning, model_warning};
 use crate::friction::{SlipFriction, fastest_slip};
-use crate::number::avx::has_avx;
+use crate::number::avx::{has_avx, has_avx512};
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
-use crate::status::{Error, Warning};
+use crate::status::Warning;
 use core::ops::Range;
 
 /// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
@@ -30,9 +32,12 @@ pub(super) fn solve_side_by_side<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
     put: &mut impl FnMut(usize, Solution<F>),
-) -> Option<Result<Warning, (usize, Error)>> {
+) -> Option<Found<Warning>> {
     // SAFETY: the processor was asked.
-    has_avx().then(|| unsafe { solve_groups(count, options, get, put) })
+    if has_avx512() {
+        return Some(unsafe { avx512::solve_each(0..count, options, get, put) });
+    }
+    has_avx().then(|| unsafe { avx::solve_each(0..count, options, get, put) })
 }
 
 /// [`differentiate_batch`](crate::batch::differentiate_batch) of checked contacts side by side, if
@@ -44,12 +49,15 @@ pub(super) fn differentiate_side_by_side<F: Float>(
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, &Gathered<F>),
-) -> Option<Result<Warning, (usize, Error)>> {
+) -> Option<Found<Warning>> {
     let together = has_avx()
         && matches!(options.model, Model::Total | Model::Linear)
         && (0..count).all(|i| get(i).2.is_none());
     // SAFETY: the processor was asked.
-    together.then(|| unsafe { differentiate_groups(count, options, get, put) })
+    if together && has_avx512() {
+        return Some(unsafe { avx512::differentiate_each(0..count, options, get, put) });
+    }
+    together.then(|| unsafe { avx::differentiate_each(0..count, options, get, put) })
 }
 
 /// Checks inputs if the processor has wide registers; groups that are not ordinary go through the
@@ -58,8 +66,8 @@ pub(super) fn differentiate_side_by_side<F: Float>(
 pub(super) fn check_side_by_side<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
-    check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
-) -> Option<Result<(), (usize, Error)>> {
+    check: &impl Fn(Range<usize>) -> Found<()>,
+) -> Option<Found<()>> {
     // SAFETY: the processor was asked.
     has_avx().then(|| unsafe { check_groups(count, get, check) })
 }
@@ -68,16 +76,16 @@ pub(super) fn check_side_by_side<F: Float>(
 fn check_groups<F: Float>(
     count: usize,
     get: &impl Fn(usize) -> Case<F>,
-    check: &impl Fn(Range<usize>) -> Result<(), (usize, Error)>,
-) -> Result<(), (usize, Error)> {
-    let whole = count - count % F::Contacts::COUNT;
-    for first in (0..whole).step_by(F::Contacts::COUNT) {
+    check: &impl Fn(Range<usize>) -> Found<()>,
+) -> Found<()> {
+    let (first, end) = whole_groups(&(0..count), F::Contacts::COUNT);
+    for first in (first..end).step_by(F::Contacts::COUNT) {
         let numbers = first..first + F::Contacts::COUNT;
         if !are_ordinary(numbers.clone(), get) {
             check(numbers)?;
         }
     }
-    check(whole..count)
+    check(end..count)
 }
 
 /// Most that the steepness of a law may be ([`SlipFriction::least`]) without a check of each
@@ -89,7 +97,7 @@ const MILD: f64 = 0.47;
 #[inline(always)]
 fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
     let first = numbers.start;
-    let (mut contact, creepage) = group(first, &|i| {
+    let (mut contact, creepage) = group::<F, F::Contacts>(first, &|i| {
         let (contact, creepage, _) = get(i);
         (contact, creepage)
     });
@@ -97,7 +105,7 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
     let mut steepness = zero;
     if numbers.into_iter().any(|i| get(i).2.is_some()) {
         let [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer] =
-            together(first, &|i| {
+            together::<_, F::Contacts, _>(first, &|i| {
                 let (contact, _, law) = get(i);
                 let law = law.unwrap_or(SlipFriction::of_constant(contact.friction));
                 let SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, .. } = law;
@@ -129,79 +137,135 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
             .exceeds(contact.friction_bound().times(1e6 * (1.0 - MILD)))
 }
 
-#[target_feature(enable = "avx")]
-fn solve_groups<F: Float>(
-    count: usize,
-    options: &Options,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
-    put: &mut impl FnMut(usize, Solution<F>),
-) -> Result<Warning, (usize, Error)> {
-    let whole = count - count % F::Contacts::COUNT;
-    let mut worst = Warning::None;
-    for first in (0..whole).step_by(F::Contacts::COUNT) {
-        let (contact, creepage) = group(first, get);
-        if !go_together(&contact, &creepage) {
-            let alone = first..first + F::Contacts::COUNT;
-            worst = worst.worse(solve_each(alone, options, get, put)?);
-            continue;
-        }
-        let frame = &ScaledContact::new(&contact);
-        let (forces, psi) = match options.model {
-            Model::Strip1967 => forces_of::<_, Strip1967<false>>(frame, &creepage, options),
-            Model::Strip1967Continuous => {
-                forces_of::<_, Strip1967<true>>(frame, &creepage, options)
-            }
-            Model::Strip => forces_of::<_, EllipseStrips<F::Contacts>>(frame, &creepage, options),
-            Model::Total => forces_of::<_, Total<F::Contacts>>(frame, &creepage, options),
-            Model::Linear => forces_of::<_, Linear<F::Contacts>>(frame, &creepage, options),
-        };
-        let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
-        for k in 0..F::Contacts::COUNT {
-            let solution = together.solution_of(k);
-            worst = worst.worse(solution.warning);
-            put(first + k, solution);
-        }
-    }
-    Ok(worst.worse(solve_each(whole..count, options, get, put)?))
-}
+/// What is compiled for registers of one width, `$narrower` of the next narrower ones, and as many
+/// contacts as fill one of them.
+macro_rules! compiled_for {
+    ($width:ident, $features:literal, $contacts:ident, $narrower:ident) => {
+        mod $width {
+            use super::*;
 
-#[target_feature(enable = "avx")]
-fn differentiate_groups<F: Float>(
-    count: usize,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Gathered<F>),
-) -> Result<Warning, (usize, Error)> {
-    let whole = count - count % F::Contacts::COUNT;
-    let mut worst = Warning::None;
-    for first in (0..whole).step_by(F::Contacts::COUNT) {
-        let numbers = first..first + F::Contacts::COUNT;
-        let (contact, creepage) = group(first, &|i| {
-            let (contact, creepage, _) = get(i);
-            (contact, creepage)
-        });
-        if !go_together(&contact, &creepage) {
-            let found = differentiate_each(numbers, options, get, put);
-            worst = worst.worse(found?);
-            continue;
+            #[target_feature(enable = $features)]
+            pub fn solve_each<F: Float>(
+                numbers: Range<usize>,
+                options: &Options,
+                get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+                put: &mut impl FnMut(usize, Solution<F>),
+            ) -> Found<Warning> {
+                let mut worst = Warning::None;
+                let (first, end) = whole_groups(&numbers, F::$contacts::COUNT);
+                for first in (first..end).step_by(F::$contacts::COUNT) {
+                    let (contact, creepage) = group::<F, F::$contacts>(first, get);
+                    if !go_together(&contact, &creepage) {
+                        let alone = first..first + F::$contacts::COUNT;
+                        worst = worst.worse($narrower::solve_each(alone, options, get, put)?);
+                        continue;
+                    }
+                    let frame = &ScaledContact::new(&contact);
+                    let (forces, psi) = match options.model {
+                        Model::Strip1967 => {
+                            forces::<_, Strip1967<false>>(frame, &creepage, options)
+                        }
+                        Model::Strip1967Continuous => {
+                            forces::<_, Strip1967<true>>(frame, &creepage, options)
+                        }
+                        Model::Strip => {
+                            forces::<_, EllipseStrips<F::$contacts>>(frame, &creepage, options)
+                        }
+                        Model::Total => forces::<_, Total<F::$contacts>>(frame, &creepage, options),
+                        Model::Linear => {
+                            forces::<_, Linear<F::$contacts>>(frame, &creepage, options)
+                        }
+                    };
+                    let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
+                    for k in 0..F::$contacts::COUNT {
+                        let solution = together.solution_of(k);
+                        worst = worst.worse(solution.warning);
+                        put(first + k, solution);
+                    }
+                }
+                Ok(worst.worse($narrower::solve_each(end..numbers.end, options, get, put)?))
+            }
+
+            #[target_feature(enable = $features)]
+            pub fn differentiate_each<F: Float>(
+                numbers: Range<usize>,
+                options: &Options,
+                get: &impl Fn(usize) -> Case<F>,
+                put: &mut impl FnMut(usize, &Gathered<F>),
+            ) -> Found<Warning> {
+                let mut worst = Warning::None;
+                let (first, end) = whole_groups(&numbers, F::$contacts::COUNT);
+                for first in (first..end).step_by(F::$contacts::COUNT) {
+                    let numbers = first..first + F::$contacts::COUNT;
+                    let (contact, creepage) = group::<F, F::$contacts>(first, &|i| {
+                        let (contact, creepage, _) = get(i);
+                        (contact, creepage)
+                    });
+                    if !go_together(&contact, &creepage) {
+                        let found = $narrower::differentiate_each(numbers, options, get, put);
+                        worst = worst.worse(found?);
+                        continue;
+                    }
+                    let frame = &ScaledContact::new(&contact);
+                    let (forces, psi, slopes) = if options.model == Model::Linear {
+                        slopes::<_, Linear<F::$contacts>>(frame, &creepage, options)
+                    } else {
+                        slopes::<_, Total<F::$contacts>>(frame, &creepage, options)
+                    };
+                    let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
+                    for (k, i) in numbers.enumerate() {
+                        let (Contact { friction, .. }, creepage, _) = get(i);
+                        let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
+                        let solution = &together.solution_of(k);
+                        worst = worst.worse(solution.warning);
+                        let by_mismatch = &[F::zero(); 3];
+                        let law = None;
+                        put(
+                            i,
+                            &Gathered {
+                                solution,
+                                friction,
+                                derivatives,
+                                creepage,
+                                by_mismatch,
+                                law,
+                            },
+                        );
+                    }
+                }
+                Ok(worst.worse($narrower::differentiate_each(end..numbers.end, options, get, put)?))
+            }
+
+            #[target_feature(enable = $features)]
+            #[inline(never)]
+            fn forces<L: Real, M: Theory<L>>(
+                frame: &ScaledContact<L>,
+                creepage: &Creepage<L>,
+                options: &Options,
+            ) -> (Forces<L>, L) {
+                M::of_contact(frame, options).forces(frame, creepage)
+            }
+
+            #[target_feature(enable = $features)]
+            #[inline(never)]
+            fn slopes<L: Real, M: Theory<L>>(
+                frame: &ScaledContact<L>,
+                creepage: &Creepage<L>,
+                options: &Options,
+            ) -> (Forces<L>, L, Derivatives<L>) {
+                with_slopes(&M::of_contact(frame, options), frame, creepage)
+            }
         }
-        let frame = &ScaledContact::new(&contact);
-        let (forces, psi, slopes) = if options.model == Model::Linear {
-            slopes_of::<_, Linear<F::Contacts>>(frame, &creepage, options)
-        } else {
-            slopes_of::<_, Total<F::Contacts>>(frame, &creepage, options)
-        };
-        let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
-        for (k, i) in numbers.enumerate() {
-            let (Contact { friction, .. }, creepage, _) = get(i);
-            let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
-            let solution = &together.solution_of(k);
-            worst = worst.worse(solution.warning);
-            let by_mismatch = &[F::zero(); 3];
-            put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None });
-        }
-    }
-    Ok(worst.worse(differentiate_each(whole..count, options, get, put)?))
+    };
+}
+compiled_for!(avx, "avx", Contacts, one_by_one);
+compiled_for!(avx512, "avx,avx512f,avx512dq", WideContacts, avx);
+
+/// The first of the contacts, and the end of those that fill groups.
+#[inline(always)]
+fn whole_groups(numbers: &Range<usize>, count: usize) -> (usize, usize) {
+    let Range { start, end } = *numbers;
+    (start, end - (end - start) % count)
 }
 
 /// Whether contacts may be solved side by side: none is lost, without friction or of unlike
@@ -215,10 +279,10 @@ fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
 
 /// Contacts side by side.
 #[inline(always)]
-fn group<F: Float>(
+fn group<F: Float, L: Strips<F>>(
     first: usize,
     get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
-) -> (Contact<F::Contacts>, Creepage<F::Contacts>) {
+) -> (Contact<L>, Creepage<L>) {
     let [
         a,
         b,
@@ -256,12 +320,12 @@ fn group<F: Float>(
 
 /// Some numbers of each contact, side by side.
 #[inline(always)]
-fn together<F: Float, const N: usize>(
+fn together<F: Float, L: Strips<F>, const N: usize>(
     first: usize,
     of: &impl Fn(usize) -> [F; N],
-) -> [F::Contacts; N] {
+) -> [L; N] {
     let mut quantities = [[F::zero(); MOST]; N];
-    for lane in 0..F::Contacts::COUNT {
+    for lane in 0..L::COUNT {
         for (quantity, value) in quantities.iter_mut().zip(of(first + lane)) {
             if let Some(place) = quantity.get_mut(lane) {
                 *place = value;
@@ -270,27 +334,7 @@ fn together<F: Float, const N: usize>(
     }
     quantities
         .each_ref()
-        .map(|numbers| F::Contacts::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())))
-}
-
-#[target_feature(enable = "avx")]
-#[inline(never)]
-fn forces_of<L: Real, M: Theory<L>>(
-    frame: &ScaledContact<L>,
-    creepage: &Creepage<L>,
-    options: &Options,
-) -> (Forces<L>, L) {
-    M::of_contact(frame, options).forces(frame, creepage)
-}
-
-#[target_feature(enable = "avx")]
-#[inline(never)]
-fn slopes_of<L: Real, M: Theory<L>>(
-    frame: &ScaledContact<L>,
-    creepage: &Creepage<L>,
-    options: &Options,
-) -> (Forces<L>, L, Derivatives<L>) {
-    with_slopes(&M::of_contact(frame, options), frame, creepage)
+        .map(|numbers| L::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())))
 }
 
 /// The derivatives of one contact.

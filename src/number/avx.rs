@@ -1,8 +1,8 @@
 //! The registers of the machine: what is computed side by side in one of them, and whether there
 //! are wide ones.
 //!
-//! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, which
-//! are asked once. Everything here is the correctly rounded operation of a plain number. What is
+//! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, those of
+//! 512 bits (AVX-512) on some, which are asked once. Everything here is the correctly rounded operation of a plain number. What is
 //! `unsafe`: instructions on registers without memory access, on machines that are known to have
 //! them.
 
@@ -45,6 +45,16 @@ pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debu
 pub fn has_avx() -> bool {
     #[cfg(target_arch = "x86_64")]
     return x86::has_avx();
+    #[cfg(not(target_arch = "x86_64"))]
+    false
+}
+
+/// Whether there are registers of 512 bits.
+#[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
+#[inline]
+pub fn has_avx512() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    return x86::has_avx512();
     #[cfg(not(target_arch = "x86_64"))]
     false
 }
@@ -100,13 +110,20 @@ mod x86 {
     use core::arch::x86_64::*;
 
     cpufeatures::new!(avx, "avx");
+    cpufeatures::new!(avx512, "avx512f", "avx512dq");
 
     /// Whether the processor has registers of 256 bits and the system keeps them: asked once,
-    /// because under a hypervisor the question takes microseconds. It is the only thing that the
-    /// library remembers, and no result depends on it.
+    /// because under a hypervisor the question takes microseconds. This and [`has_avx512`] are all
+    /// that the library remembers, and no result depends on them.
     #[inline]
     pub fn has_avx() -> bool {
         avx::get()
+    }
+
+    /// The same of registers of 512 bits.
+    #[inline]
+    pub fn has_avx512() -> bool {
+        avx512::get()
     }
 
     /// An array and a register of the same size.
@@ -127,10 +144,11 @@ mod x86 {
     }
 
     // SAFETY (of both macros): arithmetic on registers, no memory access; arrays of so many numbers
-    // have their size. Those of 256 bits belong to callers who have asked.
+    // have their size. Those of 256 and 512 bits belong to callers who have asked.
     macro_rules! in_registers {
-        ($n:literal $w:literal $(
-            $name:ident($a:ident $(, $b:ident)?) $narrow:expr, $wide:expr, $each:ident $of:expr;
+        ($n:literal $w:literal $v:literal $(
+            $name:ident($a:ident $(, $b:ident)?)
+            $narrow:expr, $wide:expr, $widest:expr, $each:ident $of:expr;
         )*) => {$(
             #[inline(always)]
             fn $name<const N: usize>($a: [Self; N] $(, $b: [Self; N])?) -> [Self; N] {
@@ -142,6 +160,10 @@ mod x86 {
                     $w => unsafe {
                         let ($a $(, $b)?,) = (cast($a) $(, cast($b))?,);
                         cast($wide)
+                    },
+                    $v => unsafe {
+                        let ($a $(, $b)?,) = (cast($a) $(, cast($b))?,);
+                        cast($widest)
                     },
                     _ => $each($a $(, $b)?, |$a $(, $b)?| $of),
                 }
@@ -155,19 +177,26 @@ mod x86 {
             $set:ident;
             $w:literal: $wadd:ident $wsub:ident $wmul:ident $wdiv:ident $wsqrt:ident $wmax:ident
             $wmin:ident $wandnot:ident $wxor:ident $compare:ident $blend:ident $mask:ident
-            $wset:ident; { $($inverse_roots:item)* }) => {
+            $wset:ident;
+            $v:literal: $vadd:ident $vsub:ident $vmul:ident $vdiv:ident $vsqrt:ident $vmax:ident
+            $vmin:ident $vandnot:ident $vxor:ident $vcompare:ident $vblend:ident $vset:ident;
+            { $($inverse_roots:item)* }) => {
             impl InRegisters for $float {
                 $($inverse_roots)*
-                in_registers! { $n $w
-                    added(a, b) $add(a, b), $wadd(a, b), each_pair a + b;
-                    subtracted(a, b) $sub(a, b), $wsub(a, b), each_pair a - b;
-                    multiplied(a, b) $mul(a, b), $wmul(a, b), each_pair a * b;
-                    divided(a, b) $div(a, b), $wdiv(a, b), each_pair a / b;
-                    larger(a, b) $max(a, b), $wmax(a, b), each_pair Arithmetic::max(a, b);
-                    smaller(a, b) $min(a, b), $wmin(a, b), each_pair Arithmetic::min(a, b);
-                    negated(a) $xor(a, $set(-0.0)), $wxor(a, $wset(-0.0)), each -a;
-                    sizes(a) $andnot($set(-0.0), a), $wandnot($wset(-0.0), a), each a.abs();
-                    roots(a) $sqrt(a), $wsqrt(a), each Arithmetic::sqrt(a);
+                in_registers! { $n $w $v
+                    added(a, b) $add(a, b), $wadd(a, b), $vadd(a, b), each_pair a + b;
+                    subtracted(a, b) $sub(a, b), $wsub(a, b), $vsub(a, b), each_pair a - b;
+                    multiplied(a, b) $mul(a, b), $wmul(a, b), $vmul(a, b), each_pair a * b;
+                    divided(a, b) $div(a, b), $wdiv(a, b), $vdiv(a, b), each_pair a / b;
+                    larger(a, b) $max(a, b), $wmax(a, b), $vmax(a, b),
+                        each_pair Arithmetic::max(a, b);
+                    smaller(a, b) $min(a, b), $wmin(a, b), $vmin(a, b),
+                        each_pair Arithmetic::min(a, b);
+                    negated(a) $xor(a, $set(-0.0)), $wxor(a, $wset(-0.0)), $vxor(a, $vset(-0.0)),
+                        each -a;
+                    sizes(a) $andnot($set(-0.0), a), $wandnot($wset(-0.0), a),
+                        $vandnot($vset(-0.0), a), each a.abs();
+                    roots(a) $sqrt(a), $wsqrt(a), $vsqrt(a), each Arithmetic::sqrt(a);
                 }
                 #[inline(always)]
                 fn chosen<const N: usize>(
@@ -184,6 +213,10 @@ mod x86 {
                             let mask = $compare::<_CMP_GT_OQ>(cast(by), $wset(0.0));
                             cast($blend(cast(no), cast(yes), mask))
                         },
+                        $v => unsafe {
+                            let mask = $vcompare::<_CMP_GT_OQ>(cast(by), $vset(0.0));
+                            cast($vblend(mask, cast(no), cast(yes)))
+                        },
                         _ => each_chosen(by, yes, no),
                     }
                 }
@@ -191,6 +224,9 @@ mod x86 {
                 fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
                     if N == $w {
                         return unsafe { $mask($compare::<_CMP_GT_OQ>(cast(a), cast(b))) != 0 };
+                    }
+                    if N == $v {
+                        return unsafe { $vcompare::<_CMP_GT_OQ>(cast(a), cast(b)) != 0 };
                     }
                     one_exceeds(a, b)
                 }
@@ -206,6 +242,11 @@ mod x86 {
                         let high = unsafe { $mask($compare::<_CMP_LE_OQ>(cast(a), cast(high))) };
                         return (low & high) == ALL;
                     }
+                    if N == $v {
+                        let low = unsafe { $vcompare::<_CMP_GE_OQ>(cast(a), cast(low)) };
+                        let high = unsafe { $vcompare::<_CMP_LE_OQ>(cast(a), cast(high)) };
+                        return (low & high).count_ones() == $v;
+                    }
                     each_between(a, low, high)
                 }
             }
@@ -216,7 +257,10 @@ mod x86 {
     _mm_min_pd _mm_and_pd _mm_andnot_pd _mm_or_pd _mm_xor_pd _mm_cmpgt_pd _mm_set1_pd;
     4: _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd _mm256_max_pd
     _mm256_min_pd _mm256_andnot_pd _mm256_xor_pd _mm256_cmp_pd _mm256_blendv_pd
-    _mm256_movemask_pd _mm256_set1_pd; {
+    _mm256_movemask_pd _mm256_set1_pd;
+    8: _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd _mm512_max_pd
+    _mm512_min_pd _mm512_andnot_pd _mm512_xor_pd _mm512_cmp_pd_mask _mm512_mask_blend_pd
+    _mm512_set1_pd; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
             match N {
@@ -235,6 +279,15 @@ mod x86 {
                     let rest = _mm256_sub_pd(_mm256_set1_pd(NEWTON), _mm256_mul_pd(x, square));
                     cast(_mm256_mul_pd(y, rest))
                 },
+                8 => unsafe {
+                    let x = cast(a);
+                    let single = _mm512_cvtpd_ps(x);
+                    let start = _mm256_set1_ps(NEWTON_START);
+                    let y = _mm512_cvtps_pd(_mm256_div_ps(start, _mm256_sqrt_ps(single)));
+                    let square = _mm512_mul_pd(y, y);
+                    let rest = _mm512_sub_pd(_mm512_set1_pd(NEWTON), _mm512_mul_pd(x, square));
+                    cast(_mm512_mul_pd(y, rest))
+                },
                 _ => {
                     for a in &mut a {
                         *a = Arithmetic::inverse_root(*a);
@@ -248,7 +301,10 @@ mod x86 {
     _mm_min_ps _mm_and_ps _mm_andnot_ps _mm_or_ps _mm_xor_ps _mm_cmpgt_ps _mm_set1_ps;
     8: _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps _mm256_max_ps
     _mm256_min_ps _mm256_andnot_ps _mm256_xor_ps _mm256_cmp_ps _mm256_blendv_ps
-    _mm256_movemask_ps _mm256_set1_ps; {
+    _mm256_movemask_ps _mm256_set1_ps;
+    16: _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps _mm512_max_ps
+    _mm512_min_ps _mm512_andnot_ps _mm512_xor_ps _mm512_cmp_ps_mask _mm512_mask_blend_ps
+    _mm512_set1_ps; {
         #[inline(always)]
         fn inverse_roots<const N: usize>(a: [Self; N]) -> [Self; N] {
             Self::divided([1.0; N], Self::roots(a))

@@ -144,6 +144,7 @@ plain!(
     f64, i64, 52, |single, double| double,
     Float {
         type Contacts = Lanes<f64, 4>;
+        type WideContacts = Lanes<f64, 8>;
         const ARTANH: &'static [f64] = &ARTANH_DOUBLE;
         const ARCTAN: &'static [f64] = &ARCTAN_DOUBLE;
     }
@@ -167,6 +168,7 @@ plain!(
     f32, i32, 23, |single, double| single,
     Float {
         type Contacts = Lanes<f32, 8>;
+        type WideContacts = Lanes<f32, 16>;
         const ARTANH: &'static [f32] = &ARTANH_SINGLE;
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
     }

@@ -232,8 +232,10 @@ pub trait Real: Number<Base = Self> + InRegisters {
 
 /// A plain floating-point number, `f32` or `f64`.
 pub trait Float: Real<Stored = Self> + PartialOrd + nalgebra::Scalar {
-    /// As many contacts side by side as fill a wide register.
+    /// As many contacts side by side as fill a register of 256 bits.
     type Contacts: Real<Stored = Self> + Strips<Self>;
+    /// As many as fill one of 512 bits.
+    type WideContacts: Real<Stored = Self> + Strips<Self>;
 
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];

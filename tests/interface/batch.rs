@@ -225,8 +225,9 @@ macro_rules! any_company {
                     (status, results)
                 };
                 let inputs: Vec<_> = good.iter().map(|(values, _)| *values).collect();
-                for (first, count) in
-                    (0..9).flat_map(|k| [(37 * k, 160 + k), (41 * k, k)]).chain([(0, inputs.len())])
+                for (first, count) in (0..17)
+                    .flat_map(|k| [(37 * k, 160 + k), (41 * k, k)])
+                    .chain([(0, inputs.len())])
                 {
                     let (status, results) = together(&inputs[first..first + count]);
                     let mut worst = Warning::None;

@@ -1,6 +1,6 @@
 //! Registers against plain numbers, bit by bit.
 
-use kstrip::internals::has_avx;
+use kstrip::internals::{has_avx, has_avx512};
 use kstrip::number::lanes::Lanes;
 use kstrip::number::{Arithmetic, Float, Number, Real, Strips};
 
@@ -52,5 +52,9 @@ fn registers_have_the_bits_of_plain_numbers() {
     if has_avx() {
         agree::<f64, 4>(double);
         agree::<f32, 8>(single);
+    }
+    if has_avx512() {
+        agree::<f64, 8>(double);
+        agree::<f32, 16>(single);
     }
 }
