@@ -69,10 +69,7 @@ typedef int32_t kstrip_status;
  * library's own continuation of that theory: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/**
- * Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with
- * CONTACT.
- */
+/** Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
@@ -82,10 +79,7 @@ typedef int32_t kstrip_status;
  * the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
-/**
- * Warning: an iteration reached its largest number of steps before its result was accurate to
- * rounding.
- */
+/** Warning: an iteration ended before its result was accurate to rounding. */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
 /** Warning: the contact sticks, so that the measured force gives only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
@@ -1330,14 +1324,10 @@ typedef struct kstrip_profile_result {
  * The patch of two profiles under a load, or at an approach.
  *
  * Separate zones of contact become lobes. The results are continuous in load, approach and
- * distances: a zone appears with zero width and zero load, grows, touches its neighbour and
- * merges. The stiffness is the derivative of the computed load. The approach counts from the
- * lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
- * approach + lowest has none. A zone that reaches an end of the profile ends there, as if the
- * bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
- *
- * The time is bounded. One part is proportional to the number of points. The other solves a system
- * of linear equations of fixed size, three times or more while cells leave and enter.
+ * distances: zones appear with zero width, grow and merge. The stiffness is the derivative of the
+ * computed load. The approach counts from the lowest point of the smoothed profile: it has a kink
+ * where another point becomes the lowest, and approach + lowest has none. A zone that reaches an
+ * end of the profile ends there, as if the bodies ended. The time is bounded.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -1380,9 +1370,8 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
  * strips.
  *
  * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
- * model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
- * models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
- * its strips: the forces differ by a part of the force of one strip.
+ * model and the same strip count: with eight strips or more to rounding, with four to 1 %. The
+ * models of 1967 differ by a part of the force of one strip.
  *
  * @param contact         the loaded contact.
  * @param options         strip count; its model is checked and otherwise ignored. NULL for the
@@ -1431,15 +1420,15 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  * smooth, and has no strips and no share in adhesion.
  *
  * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
- * jump, as long as all strips have one width or are narrower than it. The force of
- * KSTRIP_MODEL_STRIP_1967 jumps, by up to the force of one strip, where a strip with spin stops
- * adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
+ * jump, as long as all strips have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967
+ * jumps, by up to the force of one strip, where a strip with spin stops adhering, and that of
+ * KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
  * For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
- * lengths grow with the load's cube root as well. For those with respect to friction, the friction
- * of all strips grows by one factor, and the derivative is that with respect to its mean. If
- * friction is given, the factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all
- * strips, and the law's own coefficient is ignored. outputs->strips receives patch->count strips.
+ * lengths grow with the load's cube root as well. For those with respect to friction, that of all
+ * strips grows by one factor, and the derivative is by its mean. If friction is given, the factor
+ * (1 - ratio) exp(-decay w) + ratio multiplies that of all strips, and the law's own coefficient
+ * is ignored. outputs->strips receives patch->count strips.
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
@@ -1458,6 +1447,22 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_friction *friction,
                                     const struct kstrip_options *options,
                                     const struct kstrip_outputs *outputs);
+
+/**
+ * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the
+ * strip has those of the motion and own besides. The motion may be zero, and own all that the
+ * strips have. The derivatives are those with respect to the motion, at constant own.
+ *
+ * @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
+ * @param own             array of patch->count creepages, one for each strip; NULL: all zero.
+ * @return as kstrip_patch_evaluate(); KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
+ */
+kstrip_status kstrip_patch_evaluate_strips(const struct kstrip_patch *patch,
+                                           const struct kstrip_creepage *creepage,
+                                           const struct kstrip_creepage *own,
+                                           const struct kstrip_friction *friction,
+                                           const struct kstrip_options *options,
+                                           const struct kstrip_outputs *outputs);
 
 /**
  * Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a
@@ -1553,14 +1558,13 @@ typedef struct kstrip_surface {
  * @param step            length between prepared points [m]; 0: the length of the profile divided
  *                        by the capacity less one.
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
- *                        this distance [m], >= 0; at least four distances of the
- *                        points, 2 to 4 mm for measured profiles; 0: a profile of 320 points or
- *                        more goes through all of them. One of fewer than 234 is smoothed over
- *                        six of their distances where they are rough: on average they lie 0.2 % of
- *                        their distance or more beside the line that is smoothed over four. It
- *                        goes through all of them where this is less than 0.06 %, as in drawings.
- *                        Between these numbers it is smoothed over less. A length below that of
- *                        two distances has no effect.
+ *                        this distance [m], >= 0: at least four distances of the points, 2 to 4 mm
+ *                        for measured profiles; below two distances it has no effect. 0: a profile
+ *                        of 320 points or more goes through all of them. One of fewer than 234 is
+ *                        smoothed over six of their distances where they are rough: on average
+ *                        they lie 0.2 % of their distance or more beside the line that is smoothed
+ *                        over four. It goes through all of them where this is less than 0.06 %, as
+ *                        in drawings. Between these numbers it is smoothed over less.
  * @param[out] surface    receives the profile.
  * @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
  *         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,
@@ -1921,8 +1925,7 @@ typedef struct kstrip_wrench_derivatives {
  * @param velocity        how the wheel moves.
  * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
  *                        models of 1967.
- * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
- *                        constant.
+ * @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
  *                          not needed.
@@ -1983,8 +1986,7 @@ typedef struct kstrip_wrench_by_position {
  * @param pair            materials, friction, side, number of strips, model.
  * @param position        where the wheel is.
  * @param velocity        how it moves.
- * @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
- *                        constant.
+ * @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;

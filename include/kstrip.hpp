@@ -1155,6 +1155,17 @@ status evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>
     return KSTRIP_HPP_CALL(kstrip_patch_evaluate, &area, &creep, law, &how, &to);
 }
 
+/// Calls kstrip_patch_evaluate_strips(): `own` has one creepage for each strip of the patch, or is empty.
+template <class T>
+status evaluate_strips(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
+                       detail::only<span<const basic_creepage<T>>> own, const detail::only<basic_friction<T>> *law,
+                       const options &how, const detail::only<basic_outputs<T>> &to) noexcept
+{
+    if (own.size() != 0 && own.size() != area.count)
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_patch_evaluate_strips, &area, &creep, own.size() != 0 ? own.data() : nullptr, law, &how, &to);
+}
+
 /// The point (x[i], y[j]) is to[j * x.size() + i].
 template <class T>
 status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
@@ -1206,6 +1217,13 @@ template <class T>
 basic_evaluation<T> evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
                              const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate, area, creep, law, how, to)
+
+/// The form of evaluate_strips() that throws.
+template <class T>
+basic_evaluation<T> evaluate_strips(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
+                                    detail::only<span<const basic_creepage<T>>> own, const options &how = {},
+                                    const detail::only<basic_friction<T>> *law = nullptr)
+KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate_strips, area, creep, own, law, how, to)
 
 /// What each strip of a contact or a patch carries. `law`: null where friction is constant.
 template <template <class> class Area, class T>

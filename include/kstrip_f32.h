@@ -537,6 +537,14 @@ kstrip_status kstrip_patch_evaluate_f32(const struct kstrip_patch_f32 *patch,
                                         const struct kstrip_options *options,
                                         const struct kstrip_outputs_f32 *outputs);
 
+/** kstrip_patch_evaluate_strips() in single precision. */
+kstrip_status kstrip_patch_evaluate_strips_f32(const struct kstrip_patch_f32 *patch,
+                                               const struct kstrip_creepage_f32 *creepage,
+                                               const struct kstrip_creepage_f32 *own,
+                                               const struct kstrip_friction_f32 *friction,
+                                               const struct kstrip_options *options,
+                                               const struct kstrip_outputs_f32 *outputs);
+
 /** kstrip_patch_field() in single precision. */
 kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
                                      const struct kstrip_creepage_f32 *creepage,

@@ -595,10 +595,15 @@ fn output() -> String {
     let (patch, found) =
         Full::from_profile(&Profile::new(&y, &distance).unwrap(), &pressed(80e3), COUNT).unwrap();
     let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
-    let forces = solver::solve_patch(&patch.view().unwrap(), &creepage, Model::Strip).unwrap();
+    let view = patch.view().unwrap();
+    let forces = solver::solve_patch(&view, &creepage, Model::Strip).unwrap();
+    let turning = |y: f64| Creepage { longitudinal: 0.0, lateral: 0.0, spin: y / 80e-3 / 0.46 };
+    let own: Vec<_> = view.strips().iter().map(|strip| turning(strip.y)).collect();
+    let curved = view.with_own_creepages(&own).unwrap();
+    let of_curved = solver::solve_patch(&curved, &creepage, Model::Strip).unwrap();
     format!(
         "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, \
-         {:.0} % sticks",
+         {:.0} % sticks\n{:.0} N, {:.0} N, {:.1} N m on a curved surface",
         found.approach * 1e6,
         found.stiffness * 1e-6,
         found.peak_pressure * 1e-6,
@@ -606,7 +611,10 @@ fn output() -> String {
         forces.fx,
         forces.fy,
         forces.mz,
-        forces.adhesion * 100.0
+        forces.adhesion * 100.0,
+        of_curved.fx,
+        of_curved.fy,
+        of_curved.mz
     )
 }
 

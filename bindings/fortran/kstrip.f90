@@ -854,6 +854,18 @@ module kstrip
          type(kstrip_outputs), intent(in) :: outputs
       end function
 
+      !> kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the strip has those
+      !> of the motion and own besides.
+      integer(c_int32_t) function kstrip_patch_evaluate_strips(patch, creepage, own, friction, options, outputs) bind(c)
+         import
+         type(kstrip_patch), intent(in) :: patch
+         type(kstrip_creepage), intent(in) :: creepage
+         type(kstrip_creepage), intent(in), optional :: own
+         type(kstrip_friction), intent(in) :: friction
+         type(kstrip_options), intent(in), optional :: options
+         type(kstrip_outputs), intent(in) :: outputs
+      end function
+
       !> Pressure, traction, slip and state of a patch over a grid.
       integer(c_int32_t) function kstrip_patch_field(patch, creepage, friction, options, x, &
          columns, y, rows, points, capacity) bind(c)

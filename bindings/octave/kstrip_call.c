@@ -161,7 +161,7 @@ static mxArray *of_patch(const kstrip_patch *patch)
     return made;
 }
 
-/* (contact or patch, creepage, friction, model, strips) */
+/* (contact or patch, creepage, friction, model, strips, creepages of a patch's strips) */
 static mxArray *evaluate(int count, const mxArray *in[])
 {
     const mxArray *law = given(count, in, 2);
@@ -174,6 +174,13 @@ static mxArray *evaluate(int count, const mxArray *in[])
     else
         n = common(n, columns(given(count, in, 0), "contact", 6, sizeof(kstrip_contact)));
     if (law) n = common(n, columns(law, "friction", 5, sizeof(kstrip_friction)));
+    const mxArray *besides = given(count, in, 5);
+    kstrip_creepage own[KSTRIP_PATCH_CAPACITY];
+    if (besides) {
+        const size_t strips = columns(besides, "own", 3, sizeof *own);
+        if (!is_patch || strips != patch.count) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: own needs a patch, and one column for each of its strips");
+        for (size_t k = 0; k < strips; k++) load(&own[k], sizeof own[k], besides, k);
+    }
     mxArray *made = mxCreateStructMatrix(1, 1, 0, NULL);
     const result_fields to = results(made, n);
     double *jacobian = cube(made, "jacobian", n), *by_load = field(made, "by_load", 3, n);
@@ -195,7 +202,7 @@ static mxArray *evaluate(int count, const mxArray *in[])
         if (law) load(&friction, sizeof friction, law, k);
         if (!is_patch) load(&contact, sizeof contact, in[0], k);
         note(&seen,
-             is_patch ? kstrip_patch_evaluate(&patch, &creepage, law ? &friction : NULL, &options, &outputs)
+             is_patch ? kstrip_patch_evaluate_strips(&patch, &creepage, besides ? own : NULL, law ? &friction : NULL, &options, &outputs)
                       : kstrip_evaluate(&contact, &creepage, law ? &friction : NULL, &options, &outputs),
              k);
         put_result(&to, k, &result, left);

@@ -1,9 +1,10 @@
-function found = kstrip_evaluate(contact, creepage, friction, model, strips)
+function found = kstrip_evaluate(contact, creepage, friction, model, strips, own)
 % KSTRIP_EVALUATE  Forces and all their derivatives, of many contacts or of one patch.
 %
 %   found = kstrip_evaluate(contact, creepage)
 %   found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %   found = kstrip_evaluate(patch, creepage, ...)
+%   found = kstrip_evaluate(patch, creepage, friction, model, strips, own)
 %
 %   contact   7 x n or 7 x 1: a, b [m], normal force [N], shear modulus [Pa], Poisson's ratio, friction, mismatch of the
 %             materials (may be left out: like ones)
@@ -13,6 +14,7 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
 %             [m/s], factor of the initial slope (0: 1), factor in sliding (0: 1), layer [m/Pa]; [] for constant friction
 %   model     'total', 'strip', 'strip_1967', 'strip_1967_continuous', 'linear', or its KSTRIP_MODEL number; [] or 0: the default
 %   strips    4, 8, 16, 32 or 64; [] or 0: 16
+%   own       of a patch, 3 x (its number of strips): creepages that each strip has at its centre besides that of the patch; [] for none
 %
 %   found.force      3 x n on the lower body: fx, fy [N], mz [N m]
 %   found.power      1 x n: frictional power over rolling speed [N]
@@ -34,5 +36,8 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips)
     if nargin < 5
         strips = 0;
     end
-    found = kstrip_call('evaluate', contact, creepage, friction, model, strips);
+    if nargin < 6
+        own = [];
+    end
+    found = kstrip_call('evaluate', contact, creepage, friction, model, strips, own);
 end

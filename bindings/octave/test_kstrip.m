@@ -39,6 +39,12 @@ assert(squeeze(moved.by_slip(1, 1, :))' > 0);
 % Patches: of an ellipse, and of a profile that is one
 patch = kstrip_patch_from_contact(contact);
 assert(kstrip_evaluate(patch, creepage).force, kstrip(contact, creepage, 'strip'), 1e-6 * 24e3);
+% What each strip has of a rigid motion, as its own
+seen = [1e-3 - 0.2 * patch.strips(1, :); 2e-4 + 0 * patch.strips(1, :); 0.2 + 0 * patch.strips(1, :)];
+rigid = kstrip_evaluate(patch, [1e-3; 2e-4; 0.2]);
+assert(kstrip_evaluate(patch, [0; 0; 0], [], 'strip', 0, seen).force, rigid.force, 1e-6 * 24e3);
+seen(1, 8) += 1e-3;
+assert(norm(kstrip_evaluate(patch, [0; 0; 0], [], 'strip', 0, seen).force - rigid.force) > 1);
 y = linspace(-0.02, 0.02, 201);
 options = struct('rolling_radius', 0.46, 'normal_force', 80e3, 'shear_modulus', 82e9, 'poisson_ratio', 0.28, 'friction', 0.3);
 [patch, result] = kstrip_patch_from_profile(y, y .^ 2 / 0.6, options);

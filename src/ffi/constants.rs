@@ -8,8 +8,7 @@ pub const KSTRIP_OK: kstrip_status = 0;
 /// Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result is this
 /// library's own continuation of that theory: finite, continuous and bounded by mu N.
 pub const KSTRIP_WARNING_SPIN: kstrip_status = 1;
-/// Warning: the spin parameter |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with
-/// CONTACT.
+/// Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT.
 pub const KSTRIP_WARNING_RANGE: kstrip_status = 2;
 /// Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N.
 pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
@@ -17,8 +16,7 @@ pub const KSTRIP_WARNING_BEYOND_FRICTION: kstrip_status = 3;
 /// largest, which a contact has whose slip grows from rest. An estimate from a measured force is
 /// the smallest.
 pub const KSTRIP_WARNING_SEVERAL_FRICTIONS: kstrip_status = 4;
-/// Warning: an iteration reached its largest number of steps before its result was accurate to
-/// rounding.
+/// Warning: an iteration ended before its result was accurate to rounding.
 pub const KSTRIP_WARNING_NOT_CONVERGED: kstrip_status = 5;
 /// Warning: the contact sticks, so that the measured force gives only a lower bound of friction.
 pub const KSTRIP_WARNING_FRICTION_AT_LEAST: kstrip_status = 6;

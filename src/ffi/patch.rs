@@ -142,13 +142,16 @@ pub(super) fn from_profile<F: Float>(
 
 pub(super) fn evaluate_patch<F: Float>(
     patch: &StoredPatch<F>,
-    creepage: &Creepage<F>,
+    (creepage, own): (&Creepage<F>, &[Creepage<F>]),
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
     places: OutputPlaces<F>,
 ) -> Result<Warning, Error> {
     let model = for_strips(options)?.model;
-    let view = patch.view()?;
+    let mut view = patch.view()?;
+    if !own.is_empty() {
+        view = view.with_own_creepages(own)?;
+    }
     let (solution, share, slopes) = if places.differentiates() {
         let found = patch::friction::differentiate_patch(&view, creepage, law, model)?;
         (found.solution, found.friction, Some((found.derivatives, found.law)))

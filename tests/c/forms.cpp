@@ -52,6 +52,18 @@ int main()
     // Strips and fields of contacts and patches; lengths with and without units
     const auto patch = kstrip::patch_from_contact(contact, strip);
     expect(kstrip::strips(contact, motion, strip).size() == 8 && kstrip::strips(patch, motion).size() == patch.count, "strips");
+    std::vector<kstrip::creepage> own(patch.count);
+    const auto uniform = kstrip::evaluate(patch, motion);
+    expect(same(kstrip::evaluate_strips(patch, motion, own), uniform), "creepages of strips: none of their own");
+    own.front().longitudinal = 1e-3;
+    const auto curved = kstrip::evaluate_strips(patch, motion, own, {}, &wet);
+    kstrip::result by_status;
+    kstrip::outputs wanted;
+    wanted.result = &by_status;
+    fine(kstrip::evaluate_strips(patch, motion, own, &wet, {}, wanted), "creepages of strips");
+    expect(same(curved.result, by_status) && curved.friction < 1, "creepages of strips: both forms");
+    own.pop_back();
+    expect(kstrip::evaluate_strips(patch, motion, own, nullptr, {}, wanted) == kstrip::status::error_capacity, "creepages of strips: one too few");
     const std::vector<double> x{-2e-3, 0.0, 2e-3};
     const kstrip::metres units[3] = {-2_mm, 0_m, 2_mm};
     const double plain[1] = {1e-3};

@@ -47,7 +47,7 @@ const GROUPS: [Group; 10] = [
         title: "Patches of any shape",
         constants: "KSTRIP_PATCH_",
         functions: "patch_from_profile patch_from_strips patch_from_contact patch_summarize \
-            patch_evaluate patch_field",
+            patch_evaluate patch_evaluate_strips patch_field",
     },
     Group {
         id: "wheel_rail",

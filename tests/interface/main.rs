@@ -19,3 +19,4 @@ mod binary_interface;
 mod fuzz_properties;
 mod prepared;
 mod python;
+mod strips_of_patch;

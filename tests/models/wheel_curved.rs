@@ -12,6 +12,7 @@ use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchDerivatives, of_contacts};
 use kstrip::wheel_rail::{Position, Velocity};
+use std::ptr::null_mut;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
 fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {
@@ -240,5 +241,94 @@ fn own_creepages_of_a_rigid_motion_are_that_motion() {
         }
         assert!(solver::solve_patch(&curved, &common, Model::Total).is_err());
         assert!(view.with_own_creepages(&own[1..]).is_err());
+    }
+}
+
+/// A host with places and tangents of the strips gives them their creepages, and finds the wheel's
+/// wrench from their forces.
+#[test]
+fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
+    use crate::names::*;
+    let contacts = contacts(0.0, false);
+    let velocity = rolling(20.0);
+    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
+    let velocities = [forward, lateral, vertical, roll, pitch, yaw];
+    let dot = |row: &[f64; 6]| row.iter().zip(velocities).map(|(a, v)| a * v).sum::<f64>();
+    let law = Law { model: Model::Strip, falling: None };
+    let expected = of_contacts(&contacts, &velocity, law, None).unwrap();
+    let (mut wrench, mut plane_is_off) = ([0.0; 6], false);
+    for contact in &contacts {
+        let strips = &contact.patch.strips[..contact.patch.count as usize];
+        let speed = dot(&contact.rolling_speed);
+        // forward, across along the strip's tangent, about its normal; mixed with those of a plane
+        let rows: Vec<_> = (0..strips.len())
+            .map(|k| {
+                let x = contact.origin[0] + strips[k].centre_x;
+                let (y, z) = (contact.strip_y[k], contact.strip_z[k]);
+                let (s, c) = contact.strip_angle[k].sin_cos();
+                let own = [
+                    [1.0, 0.0, 0.0, 0.0, z, -y],
+                    [0.0, c, s, y * s - z * c, -x * s, x * c],
+                    [0.0, 0.0, 0.0, 0.0, -s, c],
+                ];
+                let (slip_x, slip_y, spin) = (contact.slip_x, contact.slip_y, contact.spin_rate);
+                let of_plane = |j: usize| {
+                    let (ahead, across) = (strips[k].centre_x, strips[k].y);
+                    [slip_x[j] - across * spin[j], slip_y[j] + ahead * spin[j], spin[j]]
+                };
+                [0, 1, 2].map(|i| {
+                    std::array::from_fn(|j| {
+                        let flat = of_plane(j)[i];
+                        flat + contact.own * (own[i][j] - flat)
+                    })
+                })
+            })
+            .collect();
+        let own: Vec<_> = rows
+            .iter()
+            .map(|rows: &[[f64; 6]; 3]| {
+                let [longitudinal, lateral, spin] = rows.map(|row| dot(&row) / speed);
+                kstrip_creepage { longitudinal, lateral, spin }
+            })
+            .collect();
+        let mut found: Vec<kstrip_strip> = Vec::with_capacity(64);
+        let mut count = 0;
+        let outputs = kstrip_outputs {
+            result: null_mut(),
+            derivatives: null_mut(),
+            law_derivatives: null_mut(),
+            friction: null_mut(),
+            strips: found.as_mut_ptr(),
+            count: &raw mut count,
+            capacity: 64,
+            reserved: 0,
+        };
+        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let (patch, own) = (Some(&contact.patch), own.as_ptr());
+        // SAFETY: each pointer is NULL or valid; as many creepages as strips, room for all strips.
+        let found = unsafe {
+            let outputs = Some(&outputs);
+            let status = kstrip_patch_evaluate_strips(patch, Some(&rest), own, None, None, outputs);
+            assert_eq!(status, 0);
+            found.set_len(count as usize);
+            found
+        };
+        for ((rows, strip), found) in rows.iter().zip(strips).zip(&found) {
+            // the moment about the strip's own centre
+            let mz = found.mz - (strip.centre_x * found.fy - strip.y * found.fx);
+            let forces = [found.fx, found.fy, mz];
+            for (j, sum) in wrench.iter_mut().enumerate() {
+                let creep: f64 = (0..3).map(|i| rows[i][j] * forces[i]).sum();
+                *sum -= contact.share * creep;
+            }
+        }
+        for (sum, normal) in wrench.iter_mut().zip(contact.normal) {
+            *sum -= contact.share * contact.normal_force * normal;
+        }
+        plane_is_off |= contact.own > 0.5;
+    }
+    assert!(plane_is_off);
+    for (sum, expected) in wrench.into_iter().zip(expected.members()) {
+        assert!((sum - expected).abs() < 1e-5 * 0.3 * 100e3, "{sum} {expected}");
     }
 }

@@ -88,8 +88,24 @@ def _outputs(kind: str, made: dict[str, tuple[Plain, int]], shape: Shape, suffix
     return outputs, outputs.dtype.itemsize
 
 
-def _of_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...]) -> dict[str, Plain]:
-    """kstrip_patch_evaluate() for each creepage."""
+def _only_of_patch(own: Any, area: Any) -> None:
+    if own is not None and not is_patch(area):
+        raise ValueError("own is for one patch; these are contacts")
+
+
+def _own(own: Any, patch: Plain, single: bool) -> Optional[Plain]:
+    """The creepages of a patch's strips, one for each."""
+    if own is None:
+        return None
+    made, count = np.ascontiguousarray(records("creepage", own, single)), int(patch.reshape(-1)["count"][0])
+    if made.shape != (count,):
+        raise ValueError(f"own: shape {made.shape}, and the patch has {count} strips")
+    return made
+
+
+def _of_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...],
+              own: Any = None) -> dict[str, Plain]:
+    """kstrip_patch_evaluate_strips() for each creepage."""
     single = is_single(area, creepages, law)
     patch, motions = one("patch", area, single), records("creepage", creepages, single)
     laws = None if law is None else records("friction", law, single)
@@ -101,7 +117,8 @@ def _of_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wa
         if name in wanted:
             made[name] = out(name, shape, single)
     outputs = _outputs("outputs", made, shape, "_f32" * single)
-    each("kstrip_patch_evaluate", single, shape, patch.ctypes.data, flat(motions, shape),
+    besides = _own(own, patch, single)
+    each("kstrip_patch_evaluate_strips", single, shape, patch.ctypes.data, flat(motions, shape), None if besides is None else besides.ctypes.data,
          None if laws is None else flat(laws, shape), ctypes.byref(options(model, strips)), outputs)
     return {name: as_record(array.reshape(shape)) for name, (array, _) in made.items()}
 
@@ -124,14 +141,21 @@ def solve(contacts: Union[Contact, Patch], creepages: Creepage, friction: Option
 
 
 def evaluate(contacts: Union[Contact, Patch], creepages: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-             strips: int = 0, *, derivatives: bool = True, law_derivatives: bool = False) -> Evaluation:
+             strips: int = 0, *, derivatives: bool = True, law_derivatives: bool = False, own: Optional[Creepage] = None) -> Evaluation:
     """Forces, the friction that agrees with the slip, and derivatives; of contacts or of one patch.
 
     Arguments as in solve(). The derivatives have the shape of the results; `derivatives.jacobian` has (3, 3) behind it, the
     derivatives of fx, fy, mz with respect to longitudinal, lateral, spin.
+    own: of one patch, a creepage for each of its strips, shape (number of strips,): that which the strip has at its centre
+    besides those of the patch, as on curved surfaces.
     """
+    _only_of_patch(own, contacts)
     wanted = ("friction",) + ("derivatives",) * bool(derivatives) + ("law_derivatives",) * bool(law_derivatives)
-    made: dict[str, Any] = (_of_patch if is_patch(contacts) else _batch)(contacts, creepages, friction, model, strips, wanted)
+    made: dict[str, Any]
+    if is_patch(contacts):
+        made = _of_patch(contacts, creepages, friction, model, strips, wanted, own)
+    else:
+        made = _batch(contacts, creepages, friction, model, strips, wanted)
     return Evaluation(made["result"], made["friction"], made.get("derivatives"), made.get("law_derivatives"))
 
 
@@ -175,9 +199,10 @@ def prepare(contact: Contact, model: Model = "default", strips: int = 0) -> Prep
 
 
 def strips(area: Union[Contact, Patch], creepage: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-           strips: int = 0) -> Strip:
-    """What each strip of one contact or one patch carries, shape (number of strips,)."""
-    kind, name = ("patch", "kstrip_patch_evaluate") if is_patch(area) else ("contact", "kstrip_evaluate")
+           strips: int = 0, *, own: Optional[Creepage] = None) -> Strip:
+    """What each strip of one contact or one patch carries, shape (number of strips,). own: as in evaluate()."""
+    _only_of_patch(own, area)
+    kind, name = ("patch", "kstrip_patch_evaluate_strips") if is_patch(area) else ("contact", "kstrip_evaluate")
     single = is_single(area, creepage, friction)
     only, motion = one(kind, area, single), one("creepage", creepage, single)
     law = None if friction is None else one("friction", friction, single)
@@ -185,7 +210,8 @@ def strips(area: Union[Contact, Patch], creepage: Creepage, friction: Optional[F
     found = np.zeros(capacity, dtypes["strip" + "_f32" * single])
     outputs = structures["kstrip_outputs" + "_f32" * single](
         strips=found.ctypes.data, count=count.ctypes.data, capacity=capacity)
-    call(name, single, only, motion, law, ctypes.byref(options(model, strips)), ctypes.byref(outputs))
+    besides = (_own(own, only, single),) if is_patch(area) else ()
+    call(name, single, only, motion, *besides, law, ctypes.byref(options(model, strips)), ctypes.byref(outputs))
     return found[: int(count)].view(Strip)
 
 

@@ -197,6 +197,22 @@ class Binding(unittest.TestCase):
         ellipse = kstrip.patch_from_contact(CONTACT)
         same = kstrip.solve(CONTACT, kstrip.creepage(1e-3), model="strip")
         self.assertLess(abs(kstrip.solve(ellipse, kstrip.creepage(1e-3))["fx"] - same["fx"]), 1e-9 * BOUND)
+        # Strips with all of a rigid motion as their own; one with more
+        places = ellipse["strips"][: ellipse["count"]]
+        own = kstrip.creepage(1e-3 - 0.2 * places["y"], 2e-4, 0.2)
+        rest, rigid = kstrip.creepage(0.0), kstrip.creepage(1e-3, 2e-4, 0.2)
+        wet_law = kstrip.friction(0.3, 0.4, 0.6, 20.0)
+        expected, found = kstrip.evaluate(ellipse, rigid, wet_law), kstrip.evaluate(ellipse, rest, wet_law, own=own)
+        self.assertLess(np.abs(found.result["fx"] - expected.result["fx"]), 1e-9 * BOUND)
+        np.testing.assert_allclose(found.derivatives.jacobian, expected.derivatives.jacobian, rtol=1e-6, atol=1e-3)
+        own["longitudinal"][8] += 1e-3
+        moved = kstrip.strips(ellipse, rest, own=own)
+        self.assertLess(abs(moved["fx"].sum() - kstrip.evaluate(ellipse, rest, own=own).result["fx"]), 1e-9 * BOUND)
+        self.assertGreater(moved["fx"].sum() - kstrip.solve(ellipse, rigid)["fx"], 1.0)
+        with self.assertRaisesRegex(ValueError, "own: shape .3,., and the patch has 16 strips"):
+            kstrip.evaluate(ellipse, rest, own=own[:3])
+        with self.assertRaisesRegex(ValueError, "own is for one patch"):
+            kstrip.evaluate(CONTACT, rest, own=own)
         copied = kstrip.patch_from_strips(ellipse["strips"][: ellipse["count"]], 82e9, 0.28)
         self.assertEqual(copied["count"], 16)
         patch["strips"]["friction"] = 0.0

@@ -5,18 +5,15 @@ use crate::ffi::inside::write_grid;
 use crate::ffi::patch::*;
 use crate::ffi::solve::OutputPlaces;
 use crate::ffi::support::*;
+use crate::patch::KSTRIP_PATCH_CAPACITY;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
 /// Separate zones of contact become lobes. The results are continuous in load, approach and
-/// distances: a zone appears with zero width and zero load, grows, touches its neighbour and
-/// merges. The stiffness is the derivative of the computed load. The approach counts from the
-/// lowest point of the smoothed profile. It has a kink where another point becomes the lowest, and
-/// approach + lowest has none. A zone that reaches an end of the profile ends there, as if the
-/// bodies ended, and the status is KSTRIP_WARNING_PROFILE_END.
-///
-/// The time is bounded. One part is proportional to the number of points. The other solves a system
-/// of linear equations of fixed size, three times or more while cells leave and enter.
+/// distances: zones appear with zero width, grow and merge. The stiffness is the derivative of the
+/// computed load. The approach counts from the lowest point of the smoothed profile: it has a kink
+/// where another point becomes the lowest, and approach + lowest has none. A zone that reaches an
+/// end of the profile ends there, as if the bodies ended. The time is bounded.
 ///
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -76,9 +73,8 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 /// strips.
 ///
 /// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
-/// model and the same strip count: with eight strips or more to rounding, with four to 1 %. For the
-/// models of 1967 kstrip_solve() integrates over the whole ellipse in closed form, and a patch sums
-/// its strips: the forces differ by a part of the force of one strip.
+/// model and the same strip count: with eight strips or more to rounding, with four to 1 %. The
+/// models of 1967 differ by a part of the force of one strip.
 ///
 /// @param contact         the loaded contact.
 /// @param options         strip count; its model is checked and otherwise ignored. NULL for the
@@ -122,15 +118,15 @@ pub extern "C" fn kstrip_patch_summarize(
 /// smooth, and has no strips and no share in adhesion.
 ///
 /// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
-/// jump, as long as all strips have one width or are narrower than it. The force of
-/// KSTRIP_MODEL_STRIP_1967 jumps, by up to the force of one strip, where a strip with spin stops
-/// adhering; that of KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
+/// jump, as long as all strips have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967
+/// jumps, by up to the force of one strip, where a strip with spin stops adhering, and that of
+/// KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
 /// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
-/// lengths grow with the load's cube root as well. For those with respect to friction, the friction
-/// of all strips grows by one factor, and the derivative is that with respect to its mean. If
-/// friction is given, the factor (1 - ratio) exp(-decay w) + ratio multiplies the friction of all
-/// strips, and the law's own coefficient is ignored. outputs->strips receives patch->count strips.
+/// lengths grow with the load's cube root as well. For those with respect to friction, that of all
+/// strips grows by one factor, and the derivative is by its mean. If friction is given, the factor
+/// (1 - ratio) exp(-decay w) + ratio multiplies that of all strips, and the law's own coefficient
+/// is ignored. outputs->strips receives patch->count strips.
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
@@ -153,7 +149,35 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
     let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
-    answer(|| evaluate_patch(given(patch)?, given(creepage)?, friction, options, given(places)?))
+    answer(|| {
+        evaluate_patch(given(patch)?, (given(creepage)?, &[]), friction, options, given(places)?)
+    })
+}
+
+/// kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the
+/// strip has those of the motion and own besides. The motion may be zero, and own all that the
+/// strips have. The derivatives are those with respect to the motion, at constant own.
+///
+/// @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
+/// @param own             array of patch->count creepages, one for each strip; NULL: all zero.
+/// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
+#[unsafe(export_name = symbol!("kstrip_patch_evaluate_strips"))]
+pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
+    patch: Option<&StoredPatch<F>>,
+    creepage: Option<&Creepage<F>>,
+    own: *const Creepage<F>,
+    friction: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>,
+    outputs: Option<&Outputs<F>>,
+) -> kstrip_status {
+    let strips = patch.map_or(0, |patch| patch.count.min(KSTRIP_PATCH_CAPACITY as u32));
+    // SAFETY: NULL or as many elements as the patch has strips, says the header.
+    let own = if own.is_null() { Ok(&[][..]) } else { unsafe { input(own, strips) } };
+    // SAFETY: every pointer is NULL or valid, says the header.
+    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
+    answer(|| {
+        evaluate_patch(given(patch)?, (given(creepage)?, own?), friction, options, given(places)?)
+    })
 }
 
 /// Pressure, traction, slip and state of a patch over a grid. They do not vary over the width of a

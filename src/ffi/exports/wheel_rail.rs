@@ -19,14 +19,13 @@ use crate::ffi::wheel_rail::*;
 /// @param step            length between prepared points [m]; 0: the length of the profile divided
 ///                        by the capacity less one.
 /// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
-///                        this distance [m], >= 0; at least four distances of the
-///                        points, 2 to 4 mm for measured profiles; 0: a profile of 320 points or
-///                        more goes through all of them. One of fewer than 234 is smoothed over
-///                        six of their distances where they are rough: on average they lie 0.2 % of
-///                        their distance or more beside the line that is smoothed over four. It
-///                        goes through all of them where this is less than 0.06 %, as in drawings.
-///                        Between these numbers it is smoothed over less. A length below that of
-///                        two distances has no effect.
+///                        this distance [m], >= 0: at least four distances of the points, 2 to 4 mm
+///                        for measured profiles; below two distances it has no effect. 0: a profile
+///                        of 320 points or more goes through all of them. One of fewer than 234 is
+///                        smoothed over six of their distances where they are rough: on average
+///                        they lie 0.2 % of their distance or more beside the line that is smoothed
+///                        over four. It goes through all of them where this is less than 0.06 %, as
+///                        in drawings. Between these numbers it is smoothed over less.
 /// @param[out] surface    receives the profile.
 /// @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
 ///         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,
@@ -148,8 +147,7 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param velocity        how the wheel moves.
 /// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
 ///                        models of 1967.
-/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
-///                        constant.
+/// @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
 ///                          not needed.
@@ -192,8 +190,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// @param pair            materials, friction, side, number of strips, model.
 /// @param position        where the wheel is.
 /// @param velocity        how it moves.
-/// @param friction        friction that falls with the slip, as in kstrip_patch_evaluate(); NULL:
-///                        constant.
+/// @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;

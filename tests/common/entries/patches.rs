@@ -265,6 +265,31 @@ fn plausible(
     assert!((0.0..=1.0).contains(&r.adhesion) || unknown, "{}", context());
 }
 
+/// Strips with creepages of their own; the bytes of a patch, a motion and one more creepage.
+fn patch_evaluate_strips(bytes: &mut Bytes) {
+    let Some(patch) = patch(bytes) else { return };
+    let (k, own) = (creepage(bytes), [creepage(bytes); kstrip::patch::KSTRIP_PATCH_CAPACITY]);
+    let (options, given, has_own) = (patch_options(bytes), bytes.given(), bytes.byte() < 192);
+    let mut all = All::new(bytes);
+    let outputs = all.outputs();
+    let list = if has_own { own.as_ptr() } else { std::ptr::null() };
+    // SAFETY: each pointer is NULL or valid.
+    let status = unsafe {
+        kstrip_patch_evaluate_strips(
+            given.input(0, &patch),
+            given.input(1, &k),
+            list,
+            None,
+            options.as_ref(),
+            given.input(2, &outputs),
+        )
+    };
+    let context = || format!("{patch:?} {k:?} {options:?} {has_own}");
+    if all.answered(status, context) {
+        assert!(given.all(3));
+    }
+}
+
 fn patch_evaluate(bytes: &mut Bytes) {
     let Some(patch) = patch(bytes) else { return };
     let (k, law) = (creepage(bytes), friction_of(bytes));
@@ -350,5 +375,6 @@ pub const ENTRIES: &[Entry] = &[
     ("patch_from_profile", patch_from_profile),
     ("summarize", summarize),
     ("patch_evaluate", patch_evaluate),
+    ("patch_evaluate_strips", patch_evaluate_strips),
     ("patch_field", patch_field),
 ];

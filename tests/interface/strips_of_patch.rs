@@ -1,0 +1,191 @@
+//! Patches whose strips have creepages of their own: `kstrip_patch_evaluate_strips`.
+
+use crate::names::*;
+
+use std::mem::MaybeUninit;
+use std::ptr::null_mut;
+use std::slice::from_raw_parts;
+
+const MOTION: kstrip_creepage = creepage([8e-4, -6e-4, 0.1]);
+const STRIP: kstrip_options = kstrip_options { model: KSTRIP_MODEL_STRIP, strips: 16 };
+
+const fn creepage([longitudinal, lateral, spin]: [f64; 3]) -> kstrip_creepage {
+    kstrip_creepage { longitudinal, lateral, spin }
+}
+
+fn patch() -> kstrip_patch {
+    let contact = kstrip_contact {
+        a: 6e-3,
+        b: 4e-3,
+        normal_force: 80e3,
+        shear_modulus: 82e9,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+        mismatch: 0.0,
+    };
+    let mut patch = MaybeUninit::uninit();
+    assert_eq!(kstrip_patch_from_contact(Some(&contact), Some(&STRIP), Some(&mut patch)), 0);
+    // SAFETY: status 0.
+    unsafe { patch.assume_init() }
+}
+
+type Answer = (kstrip_result, kstrip_derivatives);
+
+const FILL: u8 = 0xA5;
+
+/// Status, and result and derivatives where it is not an error; else these keep their bytes. Of
+/// kstrip_patch_evaluate without creepages of strips.
+fn evaluate(
+    patch: &kstrip_patch,
+    motion: &kstrip_creepage,
+    own: Option<&[kstrip_creepage]>,
+    law: Option<&kstrip_friction>,
+    options: &kstrip_options,
+) -> (i32, Option<Answer>) {
+    let mut answer = MaybeUninit::<Answer>::uninit();
+    let place = answer.as_mut_ptr();
+    // SAFETY: inside of the place.
+    let outputs = unsafe {
+        place.write_bytes(FILL, 1);
+        kstrip_outputs {
+            result: (&raw mut (*place).0).cast(),
+            derivatives: (&raw mut (*place).1).cast(),
+            law_derivatives: null_mut(),
+            friction: null_mut(),
+            strips: null_mut(),
+            count: null_mut(),
+            capacity: 0,
+            reserved: 0,
+        }
+    };
+    let (patch, motion) = (Some(patch), Some(motion));
+    let (options, outputs) = (Some(options), Some(&outputs));
+    // SAFETY: each pointer is NULL or valid, and there are as many creepages as strips.
+    let status = unsafe {
+        match own.map(<[_]>::as_ptr) {
+            None => kstrip_patch_evaluate(patch, motion, law, options, outputs),
+            Some(own) => kstrip_patch_evaluate_strips(patch, motion, own, law, options, outputs),
+        }
+    };
+    if status < 0 {
+        // SAFETY: all bytes were written above.
+        let bytes = unsafe { from_raw_parts(place.cast::<u8>(), size_of::<Answer>()) };
+        assert!(bytes.iter().all(|byte| *byte == FILL));
+        return (status, None);
+    }
+    // SAFETY: no error: both are written.
+    (status, Some(unsafe { answer.assume_init() }))
+}
+
+fn found(
+    patch: &kstrip_patch,
+    motion: &kstrip_creepage,
+    own: Option<&[kstrip_creepage]>,
+    law: Option<&kstrip_friction>,
+) -> Answer {
+    evaluate(patch, motion, own, law, &STRIP).1.expect("no error")
+}
+
+/// All numbers: forces, moment, power; derivatives with respect to the motion, load and friction.
+fn numbers((result, by): &Answer) -> Vec<f64> {
+    let rows = [by.normal_force, by.load_through_hertz, by.friction];
+    let forces = [result.fx, result.fy, result.mz, result.power];
+    [&forces[..], by.jacobian.as_flattened(), rows.as_flattened()].concat()
+}
+
+fn falling() -> kstrip_friction {
+    kstrip_friction {
+        friction: 0.3,
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        slope_factor: 0.8,
+        slide_factor: 0.0,
+        layer: 0.0,
+    }
+}
+
+/// What each strip sees of a rigid motion, as its own.
+fn of_rigid(patch: &kstrip_patch, motion: &kstrip_creepage) -> Vec<kstrip_creepage> {
+    let kstrip_creepage { longitudinal, lateral, spin } = *motion;
+    let strips = patch.strips.iter().take(patch.count as usize);
+    strips
+        .map(|strip| {
+            creepage([longitudinal - spin * strip.y, lateral + spin * strip.centre_x, spin])
+        })
+        .collect()
+}
+
+#[test]
+fn creepages_of_strips_that_are_zero_change_no_bit() {
+    let patch = patch();
+    let none = vec![creepage([0.0; 3]); patch.count as usize];
+    let law = falling();
+    for law in [None, Some(&law)] {
+        let plain = numbers(&found(&patch, &MOTION, None, law));
+        assert_eq!(numbers(&found(&patch, &MOTION, Some(&none), law)), plain);
+        // the motion may also be all the strips' own
+        let own = of_rigid(&patch, &MOTION);
+        let numbers = numbers(&found(&patch, &creepage([0.0; 3]), Some(&own), law));
+        for (number, expected) in numbers.iter().zip(&plain) {
+            let off = (number - expected).abs();
+            assert!(off < 1e-9 * (expected.abs() + 1.0), "{number} {expected}");
+        }
+    }
+}
+
+/// Slip that varies as over a surface whose normal turns: the jacobian is that of differences, and
+/// the power is that of each strip's force and creepage.
+#[test]
+fn slip_that_varies_has_the_slopes_of_differences() {
+    let patch = patch();
+    let strips = &patch.strips[..patch.count as usize];
+    let own: Vec<_> = strips
+        .iter()
+        .map(|strip| creepage([strip.y * 0.2, -3e-2 * strip.y, 40.0 * strip.y]))
+        .collect();
+    let law = falling();
+    for law in [None, Some(&law)] {
+        let (here, by) = found(&patch, &MOTION, Some(&own), law);
+        let (uniform, _) = found(&patch, &MOTION, None, law);
+        assert!((here.fx - uniform.fx).hypot(here.fy - uniform.fy) > 100.0);
+        for k in 0..3 {
+            let step = [1e-8, 1e-8, 1e-6][k];
+            let [after, before] = [step, -step].map(|step| {
+                let kstrip_creepage { longitudinal, lateral, spin } = MOTION;
+                let mut moved = [longitudinal, lateral, spin];
+                moved[k] += step;
+                let (result, _) = found(&patch, &creepage(moved), Some(&own), law);
+                [result.fx, result.fy, result.mz]
+            });
+            let largest = by.jacobian.iter().map(|row| row[k].abs()).fold(0.0, f64::max);
+            for (row, (after, before)) in by.jacobian.iter().zip(after.iter().zip(before)) {
+                let slope = (after - before) / (2.0 * step);
+                assert!((row[k] - slope).abs() < 1e-5 * largest, "{k}: {} {slope}", row[k]);
+            }
+        }
+        assert!(here.power > 0.0);
+    }
+}
+
+#[test]
+fn bad_creepages_of_strips_are_refused() {
+    let good = patch();
+    let mut own = vec![creepage([1e-3, 0.0, 0.0]); good.count as usize];
+    assert_eq!(evaluate(&good, &MOTION, Some(&own), None, &STRIP).0, 0);
+    let total = kstrip_options { model: KSTRIP_MODEL_TOTAL, strips: 0 };
+    let (status, _) = evaluate(&good, &MOTION, Some(&own), None, &total);
+    assert_eq!(status, KSTRIP_ERROR_NOT_IN_MODEL);
+    let crowded = kstrip_patch { count: u32::MAX, ..good };
+    let many = vec![creepage([0.0; 3]); kstrip::patch::KSTRIP_PATCH_CAPACITY];
+    assert!(evaluate(&crowded, &MOTION, Some(&many), None, &STRIP).0 < 0);
+    for bad in [f64::NAN, f64::INFINITY] {
+        for k in 0..3 {
+            let mut entries = [0.0; 3];
+            entries[k] = bad;
+            *own.last_mut().expect("strips") = creepage(entries);
+            let (status, _) = evaluate(&good, &MOTION, Some(&own), None, &STRIP);
+            assert_eq!(status, KSTRIP_ERROR_NOT_FINITE);
+        }
+    }
+}
