@@ -1639,6 +1639,11 @@ typedef struct kstrip_gap {
      * the roller's axis and the point.
      */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
+    /**
+     * Distance of the wheel's points [m], >= 0, over 2.5 of which surfaces are smoothed at
+     * least; 0: that of the gap's points where the surfaces are near.
+     */
+    double step;
     /** Number of points. */
     uint32_t count;
     /** Reserved: zero. */
@@ -1958,10 +1963,7 @@ typedef struct kstrip_wheel_workspace {
     uint32_t apart;
 } kstrip_wheel_workspace;
 
-/**
- * Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
- * of complete computations.
- */
+/** Derivatives of the wrench with respect to the wheel's position at constant velocity. */
 typedef struct kstrip_wrench_by_position {
     /** With respect to the lateral position [N, N m per m]. */
     double lateral[6];
@@ -1991,11 +1993,12 @@ typedef struct kstrip_wrench_by_position {
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
  *                          NULL: not needed.
- * @param[out] by_position  receives their derivatives with respect to position: differences to one
- *                        side, within 1e-6 of the largest of the column in the median and 1e-4 at
- *                        most where the function is smooth, at four times the cost of a call
- *                        (single precision: central differences of half the overlap, at most
- *                        15 um and 15 urad, at eight times); NULL: not needed.
+ * @param[out] by_position  receives their derivatives with respect to position: exact but for one
+ *                        difference of creep forces, within 1e-6 of the largest of the column at
+ *                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks.
+ *                        Over a roller differences to both sides, at eight times the cost. Up to
+ *                        200 kB of stack on a PC.
+ *                        NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
  *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
  *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,

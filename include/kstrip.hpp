@@ -1318,6 +1318,7 @@ struct basic_gap {
     basic_metres<T> x[surface_capacity], y[surface_capacity], z[surface_capacity];
     basic_radians<T> angle[surface_capacity];
     basic_metres<T> rolling_radius[surface_capacity];
+    basic_metres<T> step; ///< of the wheel's points; 0: the mean distance of these points
     std::uint32_t count;
     std::uint32_t reserved;
 };

@@ -610,6 +610,7 @@ typedef struct kstrip_gap_f32 {
     float z[KSTRIP_SURFACE_CAPACITY];
     float angle[KSTRIP_SURFACE_CAPACITY];
     float rolling_radius[KSTRIP_SURFACE_CAPACITY];
+    float step;
     uint32_t count;
     uint32_t reserved;
 } kstrip_gap_f32;
@@ -744,10 +745,7 @@ typedef struct kstrip_wheel_workspace_f32 {
     uint32_t apart;
 } kstrip_wheel_workspace_f32;
 
-/**
- * Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
- * of complete computations.
- */
+/** Derivatives of the wrench with respect to the wheel's position at constant velocity. */
 typedef struct kstrip_wrench_by_position_f32 {
     float lateral[6];
     float vertical[6];

@@ -443,6 +443,7 @@ module kstrip
       real(c_double) :: z(kstrip_surface_capacity) = 0
       real(c_double) :: angle(kstrip_surface_capacity) = 0
       real(c_double) :: rolling_radius(kstrip_surface_capacity) = 0
+      real(c_double) :: step = 0
       integer(c_int32_t) :: count = 0
       integer(c_int32_t) :: reserved = 0
    end type
@@ -530,8 +531,7 @@ module kstrip
       integer(c_int32_t) :: apart = 0
    end type
 
-   !> Derivatives of the wrench with respect to the wheel's position at constant velocity: differences of complete
-   !> computations.
+   !> Derivatives of the wrench with respect to the wheel's position at constant velocity.
    type, bind(c) :: kstrip_wrench_by_position
       real(c_double) :: lateral(6) = 0
       real(c_double) :: vertical(6) = 0

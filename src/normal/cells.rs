@@ -25,7 +25,7 @@ pub use crate::normal::layout::CELLS;
 use crate::normal::layout::CellPlaces;
 use crate::normal::profile::WithSlope;
 use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Float, Strips};
+use crate::number::{Arithmetic, Float, Number, Strips};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
@@ -53,52 +53,52 @@ impl<F> Given<F> {
 
 /// A cell of the normal problem.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Cell<F> {
+pub(crate) struct Cell<F, const N: usize> {
     /// Middle line \[m\].
-    pub y: WithSlope<F>,
+    pub y: WithSlope<F, N>,
     /// Width \[m\].
-    pub width: WithSlope<F>,
+    pub width: WithSlope<F, N>,
     /// Undeformed distance on the middle line \[m\].
-    pub distance: WithSlope<F>,
+    pub distance: WithSlope<F, N>,
     /// Rolling radius `R` \[m\].
-    pub rolling_radius: WithSlope<F>,
+    pub rolling_radius: WithSlope<F, N>,
     /// Centre along `x` \[m\].
-    pub centre_x: WithSlope<F>,
+    pub centre_x: WithSlope<F, N>,
     /// Half length \[m\].
-    pub half_length: WithSlope<F>,
+    pub half_length: WithSlope<F, N>,
     /// `p/(π E*)`; zero where the bodies do not touch.
-    pub pressure: WithSlope<F>,
+    pub pressure: WithSlope<F, N>,
     /// Whether the bodies touch.
     pub touches: bool,
     /// Where the conditions of contact hold \[m\].
-    at: WithSlope<F>,
+    at: WithSlope<F, N>,
     /// `κ` to the cell before and to the cell after.
-    coupling: [WithSlope<F>; 2],
+    coupling: [WithSlope<F, N>; 2],
     /// `κ` to a pressure of zero.
-    alone: WithSlope<F>,
+    alone: WithSlope<F, N>,
 }
 
-impl<F: Float> Cell<F> {
+impl<F: Float, const N: usize> Cell<F, N> {
     /// `(π/2) a w p/(π E*)`
-    pub fn load(&self) -> WithSlope<F> {
+    pub fn load(&self) -> WithSlope<F, N> {
         (self.half_length * self.width * self.pressure).times(FRAC_PI_2)
     }
 }
 
 /// Cells in ascending `y`.
 #[derive(Clone, Debug)]
-pub(crate) struct Cells<F> {
-    pub list: Vec<Cell<F>, CELLS>,
+pub(crate) struct Cells<F, const N: usize> {
+    pub list: Vec<Cell<F, N>, CELLS>,
 }
 
-impl<F: Float> Cells<F> {
+impl<F: Float, const N: usize> Cells<F, N> {
     /// Cells at their places; `of` gives distance, rolling radius and half length of each, and
     /// whether it may touch, and `centre_x` the centre.
     pub(super) fn place(
         &mut self,
-        places: &CellPlaces<F>,
-        of: impl Fn(WithSlope<F>) -> ([WithSlope<F>; 3], bool),
-        centre_x: impl Fn(WithSlope<F>) -> WithSlope<F>,
+        places: &CellPlaces<F, N>,
+        of: impl Fn(WithSlope<F, N>) -> ([WithSlope<F, N>; 3], bool),
+        centre_x: impl Fn(WithSlope<F, N>) -> WithSlope<F, N>,
     ) {
         let list = &mut self.list;
         list.clear();
@@ -121,20 +121,21 @@ impl<F: Float> Cells<F> {
     }
 
     /// `N/(π E*)`
-    pub(crate) fn load(&self) -> WithSlope<F> {
+    pub(crate) fn load(&self) -> WithSlope<F, N> {
         self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
     }
 
-    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load.
-    pub(crate) fn means(&self) -> [F; 2] {
+    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load, of
+    /// numbers that `of` makes.
+    pub(crate) fn means(&self, of: impl Fn(WithSlope<F, N>) -> F) -> [F; 2] {
         let (mut sum, mut weight) = (F::zero(), F::TINY);
         let (mut widths, mut loads) = (F::zero(), F::TINY);
         for cell in &self.list {
-            let (a, p) = (cell.half_length.value, cell.pressure.value);
-            let load = p * cell.width.value;
+            let (a, p, width) = (of(cell.half_length), of(cell.pressure), of(cell.width));
+            let load = p * width;
             sum += load * a * p;
             weight += load * a * a;
-            widths += load * a * cell.width.value;
+            widths += load * a * width;
             loads += load * a;
         }
         [sum / weight, widths / loads]
@@ -145,24 +146,20 @@ impl<F: Float> Cells<F> {
     #[inline(never)]
     pub(crate) fn press(
         &mut self,
-        equations: &mut Equations<F>,
-        given: Given<WithSlope<F>>,
-    ) -> WithSlope<F> {
+        equations: &mut Equations<F, N>,
+        given: Given<WithSlope<F, N>>,
+    ) -> WithSlope<F, N> {
         equations.make_room(self.list.len());
         let mut across = Across::new();
         for (j, cell) in self.list.iter().enumerate() {
             across.fill::<Deflection>(&CellEdges::new(cell), &self.list);
-            let entries = across.differences().map(|difference| {
-                let WithSlope { value, gradient: [slope] } = difference * cell.half_length;
-                [value, slope]
-            });
+            let entries = across.differences().map(|difference| difference * cell.half_length);
             equations.set_column(j, entries);
         }
         for (i, cell) in self.list.iter().enumerate() {
             let [before, after] = cell.coupling;
             for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)] {
-                let [change] = kappa.gradient;
-                equations.add_coupling(i, k, kappa.value, change);
+                equations.add_coupling(i, k, kappa);
             }
         }
         // (coarse cells may all begin beyond the reach of their zone)
@@ -223,27 +220,26 @@ impl<F: Float> Cells<F> {
                 continue;
             }
             // A dp = dδ − dh − dA p
-            let mut rest = [F::zero(); CELLS];
-            for (rest, cell) in rest.iter_mut().zip(&self.list) {
-                let [moved] = cell.distance.gradient;
-                *rest = -moved;
-            }
-            equations.solve_for_slopes(&touching, &pressures, &mut rest);
-            let mut carried = F::zero();
-            for (cell, rest) in self.list.iter().zip(rest) {
-                let area = cell.half_length * cell.width;
-                let [widened] = area.gradient;
-                carried += widened * cell.pressure.value + area.value * rest;
-            }
-            approach.gradient = match given {
-                Given::Load(load) => {
-                    load.gradient.map(|d| (d.times(1.0 / FRAC_PI_2) - carried) / by_approach)
+            for d in 0..N {
+                let of = |number: &WithSlope<F, N>| number.derivative(d);
+                let mut rest = [F::zero(); CELLS];
+                for (rest, cell) in rest.iter_mut().zip(&self.list) {
+                    *rest = -of(&cell.distance);
                 }
-                Given::Approach(approach) => approach.gradient,
-            };
-            let [slope] = approach.gradient;
-            for ((cell, one), rest) in self.list.iter_mut().zip(one).zip(rest) {
-                cell.pressure.gradient = [slope * one + rest];
+                equations.solve_for_slopes(d, &touching, &pressures, &mut rest);
+                let mut carried = F::zero();
+                for (cell, rest) in self.list.iter().zip(rest) {
+                    let area = cell.half_length * cell.width;
+                    carried += of(&area) * cell.pressure.value + area.value * rest;
+                }
+                let slope = match given {
+                    Given::Load(load) => (of(&load).times(1.0 / FRAC_PI_2) - carried) / by_approach,
+                    Given::Approach(approach) => of(&approach),
+                };
+                approach.set_derivative(d, slope);
+                for ((cell, one), rest) in self.list.iter_mut().zip(one).zip(rest) {
+                    cell.pressure.set_derivative(d, slope * one + rest);
+                }
             }
             break;
         }
@@ -258,7 +254,7 @@ impl<F: Float> Cells<F> {
     /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of
     /// the second condition; also those of cells that do not touch, as if they were about to.
     #[inline(never)]
-    pub(crate) fn correct(&mut self, power: WithSlope<F>) {
+    pub(crate) fn correct(&mut self, power: WithSlope<F, N>) {
         let (less, more) = (WithSlope::one() - power, WithSlope::one() + power);
         let mut curvatures = [WithSlope::zero(); CELLS];
         let mut across = Across::new();
@@ -279,37 +275,36 @@ impl<F: Float> Cells<F> {
 }
 
 /// The edges of a cell.
-struct CellEdges<F> {
-    lower: WithSlope<F>,
-    upper: WithSlope<F>,
+struct CellEdges<F, const N: usize> {
+    lower: WithSlope<F, N>,
+    upper: WithSlope<F, N>,
     half_length: F,
     /// `da/a`
-    growth: F,
+    growth: [F; N],
     scale: F,
 }
 
-impl<F: Float> CellEdges<F> {
-    fn new(cell: &Cell<F>) -> Self {
+impl<F: Float, const N: usize> CellEdges<F, N> {
+    fn new(cell: &Cell<F, N>) -> Self {
         let half = cell.width.times(0.5);
         let a = cell.half_length;
         let scale = F::one() / a.value;
-        let [growth] = a.gradient;
         Self {
             lower: cell.y - half,
             upper: cell.y + half,
             half_length: a.value,
-            growth: growth * scale,
+            growth: a.gradient.map(|growth| growth * scale),
             scale,
         }
     }
 
     /// Replaces each distance by the value of the function.
-    fn all_at<E: StripEdge>(&self, values: &mut [F], slopes: &mut [F]) {
-        with_avx!(if 1 => <F: Float, E: StripEdge>(
-            edges: &CellEdges<F> = self,
+    fn all_at<E: StripEdge>(&self, values: &mut [F], slopes: &mut [[F; N]]) {
+        with_avx!(if 1 => <F: Float, E: StripEdge; N>(
+            edges: &CellEdges<F, N> = self,
             _of: PhantomData<E> = PhantomData::<E>,
             values: &mut [F],
-            slopes: &mut [F]
+            slopes: &mut [[F; N]]
         ) -> () {
             edges.in_fours::<E, F::Four>(values, slopes)
         } {
@@ -319,12 +314,12 @@ impl<F: Float> CellEdges<F> {
 
     /// The same, four side by side.
     #[inline(always)]
-    fn in_fours<E: StripEdge, P: Strips<F>>(&self, values: &mut [F], slopes: &mut [F]) {
+    fn in_fours<E: StripEdge, P: Strips<F>>(&self, values: &mut [F], slopes: &mut [[F; N]]) {
         let one = P::one();
         let four = |four: &[F; 4]| P::gather(|k| four.get(k).copied().unwrap_or(F::one()));
         let slopes = slopes.as_chunks_mut::<4>().0.iter_mut();
         for (values, slopes) in values.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
-            let (distance, moved) = (four(values), four(slopes));
+            let distance = four(values);
             let size = distance.abs();
             let t = size * P::all(self.scale);
             // one division for 1/(1 + t) and 1/d
@@ -333,11 +328,21 @@ impl<F: Float> CellEdges<F> {
             let log = F::ln_quotients(size, self.half_length);
             let [value, slope] = E::kernel(t, w, log);
             let sign = distance.choose(one, -one);
-            // d ln t = d(distance)/distance − da/a
-            let relative = sign * moved * inverse - P::all(self.growth);
-            let (value, slope) = (sign * value, sign * slope * relative);
+            let value = sign * value;
             *values = core::array::from_fn(|k| value.lane(k));
-            *slopes = core::array::from_fn(|k| slope.lane(k));
+            for (d, growth) in self.growth.into_iter().enumerate() {
+                let moved = P::gather(|k| {
+                    slopes.get(k).and_then(|slopes| slopes.get(d)).copied().unwrap_or(F::one())
+                });
+                // d ln t = d(distance)/distance − da/a
+                let relative = sign * moved * inverse - P::all(growth);
+                let slope = sign * slope * relative;
+                for (k, slopes) in slopes.iter_mut().enumerate() {
+                    if let Some(own) = slopes.get_mut(d) {
+                        *own = slope.lane(k);
+                    }
+                }
+            }
         }
     }
 }
@@ -346,31 +351,31 @@ impl<F: Float> CellEdges<F> {
 const EDGES: usize = 2 * CELLS;
 
 /// A function of the distances of a cell's edges from the places of all cells.
-struct Across<F> {
+struct Across<F, const N: usize> {
     values: [F; EDGES],
-    slopes: [F; EDGES],
+    slopes: [[F; N]; EDGES],
     /// Whether it is the lower edge. Before each is the upper edge.
     is_lower: [bool; EDGES],
     count: usize,
 }
 
-impl<F: Float> Across<F> {
+impl<F: Float, const N: usize> Across<F, N> {
     fn new() -> Self {
         let none = [F::one(); EDGES];
-        Self { values: none, slopes: none, is_lower: [false; EDGES], count: 0 }
+        Self { values: none, slopes: [[F::one(); N]; EDGES], is_lower: [false; EDGES], count: 0 }
     }
 
     /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
     /// edge is as far as the other's upper edge.
     #[inline(always)]
-    fn fill<E: StripEdge>(&mut self, edges: &CellEdges<F>, cells: &[Cell<F>]) {
+    fn fill<E: StripEdge>(&mut self, edges: &CellEdges<F, N>, cells: &[Cell<F, N>]) {
         let Self { values, slopes, is_lower, count } = self;
         let width = (edges.upper - edges.lower).value;
         let close = width * F::EPSILON.times(256.0);
         let mut places = values.iter_mut().zip(slopes.iter_mut()).zip(is_lower.iter_mut());
-        let mut add = |distance: WithSlope<F>, lower: bool| {
+        let mut add = |distance: WithSlope<F, N>, lower: bool| {
             if let Some(((value, slope), is_lower)) = places.next() {
-                (*value, [*slope], *is_lower) = (distance.value, distance.gradient, lower);
+                (*value, *slope, *is_lower) = (distance.value, distance.gradient, lower);
             }
         };
         let mut last: Option<F> = None;
@@ -391,17 +396,17 @@ impl<F: Float> Across<F> {
 
     /// The value at the lower edge less that at the upper one, for each cell.
     #[inline(always)]
-    fn differences(&self) -> impl Iterator<Item = WithSlope<F>> {
+    fn differences(&self) -> impl Iterator<Item = WithSlope<F, N>> {
         let Self { values, slopes, is_lower, count } = self;
         let pairs = values.windows(2).zip(slopes.windows(2)).zip(is_lower.iter().skip(1));
-        pairs.take(count.saturating_sub(1)).filter(|(_, is_lower)| **is_lower).map(
-            |((values, slopes), _)| {
-                let difference = |list: &[F]| match list {
-                    [upper, lower] => *lower - *upper,
-                    _ => F::zero(),
-                };
-                WithSlope { value: difference(values), gradient: [difference(slopes)] }
-            },
-        )
+        pairs.take(count.saturating_sub(1)).filter(|(_, is_lower)| **is_lower).map(|(pair, _)| {
+            match pair {
+                ([upper, lower], [upper_moved, lower_moved]) => {
+                    let upper = WithSlope { value: *upper, gradient: *upper_moved };
+                    WithSlope { value: *lower, gradient: *lower_moved } - upper
+                }
+                _ => WithSlope::zero(),
+            }
+        })
     }
 }

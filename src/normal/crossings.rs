@@ -16,36 +16,42 @@ pub(crate) struct Overlap<F> {
     pub depth: F,
 }
 
-impl<F: Float> SmoothedProfile<F> {
-    /// Hands every zone where the surfaces overlap to `take`, in ascending order.
-    pub(crate) fn overlaps(&self, mut take: impl FnMut(Overlap<F>)) {
+impl<F: Float, const N: usize> SmoothedProfile<F, N> {
+    /// Hands every zone where the surfaces overlap to `take`, in ascending order, made of the
+    /// numbers that `number` makes.
+    pub(crate) fn overlaps(
+        &self,
+        number: impl Fn(WithSlope<F, N>) -> F,
+        mut take: impl FnMut(Overlap<F>),
+    ) {
         let mut open: Option<Overlap<F>> = None;
-        let of = |knot: &Knot<F>| {
+        let of = |knot: &Knot<F, N>| {
             let [_, height, slope] = self.knot(knot);
             [height, slope]
         };
         self.pieces(of, |knot, cubic, length| {
-            let y = knot.y.value;
             if let Some(zone) = open.take_if(|_| !knot.joined) {
                 take(zone);
             }
-            let cuts = cuts(cubic, length).map(|t| t.value);
+            let cuts = cuts(cubic, length);
             for (&from, &to) in cuts.iter().zip(cuts.iter().skip(1)) {
-                if !(to > from) {
+                if !(to.value > from.value) {
                     continue;
                 }
-                let heights = [from, to].map(|t| cubic.value_at(WithSlope::from_base(t)).value);
-                let [begins, ends] = heights.map(|height| height < F::zero());
-                let crossing = |inside: F, outside: F| {
-                    y + zero_of(|t| [cubic.value_at(t), cubic.slope(t)], inside, outside).value
+                let heights = [from, to].map(|t| cubic.value_at(t));
+                let [begins, ends] = heights.map(|height| height.value < F::zero());
+                let place = |t: WithSlope<F, N>| number(knot.y + t);
+                let crossing = |inside: WithSlope<F, N>, outside: WithSlope<F, N>| {
+                    let of = |t| [cubic.value_at(t), cubic.slope(t)];
+                    place(zero_of(of, inside.value, outside.value))
                 };
                 if ends || begins {
-                    let begin = if begins { y + from } else { crossing(to, from) };
+                    let begin = if begins { place(from) } else { crossing(to, from) };
                     let none = Overlap { ends: [begin; 2], depth: F::zero() };
                     let zone = open.get_or_insert(none);
                     let [.., end] = &mut zone.ends;
-                    *end = if ends { y + to } else { crossing(from, to) };
-                    zone.depth = heights.iter().fold(zone.depth, |depth, h| depth.max(-*h));
+                    *end = if ends { place(to) } else { crossing(from, to) };
+                    zone.depth = heights.iter().fold(zone.depth, |depth, h| depth.max(-number(*h)));
                 }
                 if let Some(zone) = open.take_if(|_| !ends) {
                     take(zone);
@@ -66,22 +72,39 @@ impl<F: Float> SmoothedProfile<F> {
         self.range = [first.saturating_sub(1), last + 1];
     }
 
+    /// The depth of the zone that counts, with its derivatives; the curve is measured from there.
+    pub(crate) fn depth(&mut self, zone: &Overlap<F>) -> WithSlope<F, N> {
+        let [begin, end] = zone.ends;
+        let mut lowest = WithSlope::from_base(F::LARGEST);
+        let of = |knot: &Knot<F, N>| [knot.height, knot.slope];
+        self.pieces(of, |knot, cubic, length| {
+            for t in cuts(cubic, length) {
+                let y = knot.y.value + t.value;
+                if y >= begin && y <= end {
+                    lowest = lowest.min(cubic.value_at(t));
+                }
+            }
+        });
+        self.lowest.gradient = lowest.gradient;
+        WithSlope::from_base(self.zero) - self.lowest
+    }
+
     /// The zones where a function is negative; returns whether one of them ends with the profile.
     /// `of` gives the value and the slope of the function from a place, the height there and its
     /// slope. (The zones are written where they stay: a copy
     /// would take room on the stack.)
     pub(super) fn zones(
         &self,
-        zones: &mut Zones<F>,
-        of: impl Fn(WithSlope<F>, WithSlope<F>, WithSlope<F>) -> [WithSlope<F>; 2],
+        zones: &mut Zones<F, N>,
+        of: impl Fn(WithSlope<F, N>, WithSlope<F, N>, WithSlope<F, N>) -> [WithSlope<F, N>; 2],
     ) -> bool {
         let [start, finish] = self.ends;
         let mut at_end = false;
-        let at = |knot: &Knot<F>| {
+        let at = |knot: &Knot<F, N>| {
             let [y, height, slope] = self.knot(knot);
             of(y, height, slope)
         };
-        let mut last: Option<(WithSlope<F>, [WithSlope<F>; 2])> = None;
+        let mut last: Option<(WithSlope<F, N>, [WithSlope<F, N>; 2])> = None;
         let [first, end] = self.range;
         let knots = self.knots.get(first..end.min(self.knots.len())).unwrap_or(&[]);
         let next = knots.iter().skip(1).map(Some).chain([None]);
@@ -115,7 +138,7 @@ impl<F: Float> SmoothedProfile<F> {
                 continue;
             }
             let heights = Cubic::over(step, [height, high], [slope, steep]);
-            let exact = |t: WithSlope<F>| of(t + y, heights.value_at(t), heights.slope(t));
+            let exact = |t: WithSlope<F, N>| of(t + y, heights.value_at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
             let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
             let ([zero, a, b, _], [_, c, d, length]) =

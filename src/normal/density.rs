@@ -27,46 +27,46 @@ const REACH: f64 = 0.1;
 
 /// A place in a zone or at its end.
 #[derive(Clone, Copy, Debug)]
-struct DensityPoint<F> {
+struct DensityPoint<F, const N: usize> {
     /// \[m\]
-    y: WithSlope<F>,
+    y: WithSlope<F, N>,
     /// `d/d₀ + (l dd/dy/d₀)²`, which may be more than 1.
-    density: WithSlope<F>,
+    density: WithSlope<F, N>,
 }
 
 /// Zones in ascending `y`, with their densities.
-pub(super) struct Zones<F> {
+pub(super) struct Zones<F, const N: usize> {
     /// How many places each has.
     list: Vec<usize, ZONES>,
     /// Of all zones; between them the density is linear.
-    places: Vec<DensityPoint<F>, PLACES>,
+    places: Vec<DensityPoint<F, N>, PLACES>,
     /// One over `d₀` \[1/m\].
-    per_deep: WithSlope<F>,
+    per_deep: WithSlope<F, N>,
     /// `l` \[m\]
-    reach: WithSlope<F>,
+    reach: WithSlope<F, N>,
     /// Number of places before the zone that has begun.
     begun: Option<usize>,
 }
 
 /// A part of a zone along which the density is linear.
-pub(super) struct Stretch<F> {
+pub(super) struct Stretch<F, const N: usize> {
     /// Where it begins \[m\].
-    pub from: WithSlope<F>,
+    pub from: WithSlope<F, N>,
     /// Where it ends \[m\].
-    pub to: WithSlope<F>,
+    pub to: WithSlope<F, N>,
     /// Density at both ends, from 0 to 1.
-    densities: [WithSlope<F>; 2],
+    densities: [WithSlope<F, N>; 2],
 }
 
-impl<F: Float> Stretch<F> {
+impl<F: Float, const N: usize> Stretch<F, N> {
     /// The integral of the density \[m\].
-    pub fn integral(&self) -> WithSlope<F> {
+    pub fn integral(&self) -> WithSlope<F, N> {
         let [one, two] = self.densities;
         (one + two).times(0.5) * (self.to - self.from)
     }
 
     /// Where the integral of the density from the beginning has a value \[m\].
-    pub fn place(&self, part: WithSlope<F>) -> WithSlope<F> {
+    pub fn place(&self, part: WithSlope<F, N>) -> WithSlope<F, N> {
         // ρ₀ t + (ρ₁ − ρ₀) t²/(2 L) = part, without cancellation
         let [one, two] = self.densities;
         let bend = (two - one) * part / (self.to - self.from);
@@ -76,18 +76,18 @@ impl<F: Float> Stretch<F> {
     }
 }
 
-impl<F: Float> Zones<F> {
+impl<F: Float, const N: usize> Zones<F, N> {
     /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length
     /// \[m\].
     #[inline(always)]
-    pub fn new(approach: WithSlope<F>, smoothing: WithSlope<F>) -> Self {
+    pub fn new(approach: WithSlope<F, N>, smoothing: WithSlope<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
         Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
     }
 
     /// Hands every stretch to `take`, with the number of its zone.
     #[inline(never)]
-    pub fn stretches(&self, take: &mut dyn FnMut(usize, &Stretch<F>)) {
+    pub fn stretches(&self, take: &mut dyn FnMut(usize, &Stretch<F, N>)) {
         let one = WithSlope::one();
         let mut rest = self.places.as_slice();
         for (number, count) in self.list.iter().enumerate() {
@@ -116,7 +116,7 @@ impl<F: Float> Zones<F> {
 
     /// A zone begins at `y`, where the function has this value and slope. Without room the last
     /// zone goes on instead.
-    pub fn begin(&mut self, y: WithSlope<F>, of: [WithSlope<F>; 2]) {
+    pub fn begin(&mut self, y: WithSlope<F, N>, of: [WithSlope<F, N>; 2]) {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;
         let last = if room { None } else { self.list.pop() };
@@ -127,12 +127,12 @@ impl<F: Float> Zones<F> {
     /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of
     /// places where cells are as narrow as anywhere only the first and the last are kept.)
     #[inline(never)]
-    pub fn pass(&mut self, y: WithSlope<F>, [value, slope]: [WithSlope<F>; 2]) {
+    pub fn pass(&mut self, y: WithSlope<F, N>, [value, slope]: [WithSlope<F, N>; 2]) {
         let Some(begun) = self.begun else { return };
         let depth = (-value).max(WithSlope::zero()) * self.per_deep;
         let steepness = self.reach * slope * self.per_deep;
         let place = DensityPoint { y, density: depth + steepness.squared() };
-        let deep = |place: &DensityPoint<F>| place.density.value >= F::one();
+        let deep = |place: &DensityPoint<F, N>| place.density.value >= F::one();
         let full = self.places.is_full();
         match self.places.get_mut(begun..) {
             Some([.., before, last]) if full || (deep(before) && deep(last) && deep(&place)) => {

@@ -4,6 +4,7 @@
 //! Rows are padded with zeros to fours, which fill a register.
 
 use crate::normal::layout::CELLS;
+use crate::normal::profile::WithSlope;
 use crate::number::Float;
 use crate::number::avx::with_avx;
 use core::ops::Range;
@@ -15,21 +16,21 @@ const _: () = assert!(CELLS.is_multiple_of(4));
 pub(super) type Column<F> = [F; CELLS];
 
 /// The equation of a cell.
-struct Row<F> {
+struct Row<F, const N: usize> {
     /// `∂u_i/∂p_j`
     influence: Column<F>,
     /// Their derivatives.
-    slopes: Column<F>,
+    slopes: [Column<F>; N],
     /// Of Gauss's elimination.
     factors: Column<F>,
 }
 
 /// The equations of as many cells as there are.
-pub(crate) struct Equations<F> {
-    rows: Vec<Row<F>, CELLS>,
+pub(crate) struct Equations<F, const N: usize> {
+    rows: Vec<Row<F, N>, CELLS>,
 }
 
-impl<F: Float> Equations<F> {
+impl<F: Float, const N: usize> Equations<F, N> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self { rows: Vec::new() }
@@ -38,30 +39,37 @@ impl<F: Float> Equations<F> {
     /// Makes room for so many cells, in place.
     pub(super) fn make_room(&mut self, count: usize) {
         let none = [F::zero(); CELLS];
-        let row = || Row { influence: none, slopes: none, factors: none };
+        let row = || Row { influence: none, slopes: [none; N], factors: none };
         while self.rows.len() < count && self.rows.push(row()).is_ok() {}
     }
 
-    /// Sets how far the pressure of cell `j` deflects each cell, by an iterator of values and
-    /// derivatives.
+    /// Sets how far the pressure of cell `j` deflects each cell.
     #[inline(always)]
-    pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = [F; 2]>) {
-        for (row, [value, slope]) in self.rows.iter_mut().zip(entries) {
-            if let (Some(own), Some(own_slope)) = (row.influence.get_mut(j), row.slopes.get_mut(j))
-            {
-                (*own, *own_slope) = (value, slope);
+    pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = WithSlope<F, N>>) {
+        for (row, entry) in self.rows.iter_mut().zip(entries) {
+            if let Some(own) = row.influence.get_mut(j) {
+                *own = entry.value;
+            }
+            for (own, slope) in row.slopes.iter_mut().zip(entry.gradient) {
+                if let Some(own) = own.get_mut(j) {
+                    *own = slope;
+                }
             }
         }
     }
 
     /// Adds `κ (p_i − p_k)` to the deflection of cell `i`. (Past the last cell there is nothing,
     /// whose pressure is zero.)
-    pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: F, change: F) {
+    pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: WithSlope<F, N>) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (k, sign) in [(i, F::one()), (k, -F::one())] {
-            if let (Some(entry), Some(slope)) = (row.influence.get_mut(k), row.slopes.get_mut(k)) {
-                *entry += sign * kappa;
-                *slope += sign * change;
+            if let Some(entry) = row.influence.get_mut(k) {
+                *entry += sign * kappa.value;
+            }
+            for (slopes, change) in row.slopes.iter_mut().zip(kappa.gradient) {
+                if let Some(slope) = slopes.get_mut(k) {
+                    *slope += sign * change;
+                }
             }
         }
     }
@@ -69,8 +77,8 @@ impl<F: Float> Equations<F> {
     /// Solves the equations of the touching cells for two right-hand sides, in place; zero for the
     /// others.
     pub(super) fn solve(&mut self, touching: &[usize], sides: &mut [Column<F>; 2]) {
-        with_avx!(if 1 => <F: Float>(
-            equations: &mut Equations<F> = self,
+        with_avx!(if 1 => <F: Float; N>(
+            equations: &mut Equations<F, N> = self,
             touching: &[usize],
             sides: &mut [Column<F>; 2]
         ) -> () {
@@ -82,22 +90,26 @@ impl<F: Float> Equations<F> {
     }
 
     /// Solves the equations of the touching cells once more, for what the derivatives of the
-    /// influence deflect: `side − dA p`, in place.
+    /// influence in a direction deflect: `side − dA p`, in place.
     pub(super) fn solve_for_slopes(
         &self,
+        direction: usize,
         touching: &[usize],
         pressures: &Column<F>,
         side: &mut Column<F>,
     ) {
-        with_avx!(if 1 => <F: Float>(
-            equations: &Equations<F> = self,
+        with_avx!(if 1 => <F: Float; N>(
+            equations: &Equations<F, N> = self,
+            direction: usize,
             touching: &[usize],
             pressures: &Column<F>,
             side: &mut Column<F>
         ) -> () {
             let fours = 0..equations.fours();
             for (own, row) in side.iter_mut().zip(&equations.rows) {
-                *own -= product(&row.slopes, pressures, fours.clone());
+                if let Some(slopes) = row.slopes.get(direction) {
+                    *own -= product(slopes, pressures, fours.clone());
+                }
             }
             equations.substitute(touching, side);
         });

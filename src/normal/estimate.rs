@@ -16,7 +16,7 @@ use crate::normal::layout::{CellPlace, CellPlaces, layout, lean};
 use crate::normal::profile::WithSlope;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Float, Strips};
+use crate::number::{Arithmetic, Float, Number, Strips};
 use heapless::Vec;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about where they
@@ -29,35 +29,35 @@ const COUNT: usize = 10;
 
 /// The load of an approach and its distribution.
 #[derive(Clone, Debug)]
-pub(super) struct Estimate<F> {
+pub(super) struct Estimate<F, const N: usize> {
     /// `N/(π E*)` \[m²\]
-    pub load: WithSlope<F>,
+    pub load: WithSlope<F, N>,
     /// Edges of the places, in fours.
-    fours: Vec<FourEdges<F>, FOURS>,
-    breadth: WithSlope<F>,
+    fours: Vec<FourEdges<F, N>, FOURS>,
+    breadth: WithSlope<F, N>,
 }
 
 /// Four edges of places side by side.
 #[derive(Clone, Debug)]
-struct FourEdges<F> {
+struct FourEdges<F, const N: usize> {
     /// Where they are, and its derivatives \[m\].
-    places: [[F; 4]; 2],
+    places: WithSlope<[F; 4], N>,
     /// What the load per width grows by there, `f q/(π E*)`, and its derivatives \[m\].
-    growth: [[F; 4]; 2],
+    growth: WithSlope<[F; 4], N>,
 }
 
 /// Edges at most.
 const EDGES: usize = 2 * (COUNT + ZONES);
 const FOURS: usize = EDGES.div_ceil(4);
 
-impl<F: Float> Estimate<F> {
+impl<F: Float, const N: usize> Estimate<F, N> {
     /// The load alone. (Out of line, so that only this function keeps the places.)
     #[inline(never)]
     pub fn load(
-        curve: &SmoothedProfile<F>,
-        approach: WithSlope<F>,
-        radius: WithSlope<F>,
-    ) -> WithSlope<F> {
+        curve: &SmoothedProfile<F, N>,
+        approach: WithSlope<F, N>,
+        radius: WithSlope<F, N>,
+    ) -> WithSlope<F, N> {
         let mut estimate = Self::nothing();
         estimate.fill(curve, approach, |_| radius);
         estimate.load
@@ -74,19 +74,19 @@ impl<F: Float> Estimate<F> {
     #[inline(never)]
     pub fn fill(
         &mut self,
-        curve: &SmoothedProfile<F>,
-        approach: WithSlope<F>,
-        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+        curve: &SmoothedProfile<F, N>,
+        approach: WithSlope<F, N>,
+        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
     ) {
         let level = approach.times(OVERLAP);
         let mut zones = Zones::new(approach, curve.smoothing());
         curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
         let zero = WithSlope::zero();
-        let mut places: CellPlaces<F> = Vec::new();
+        let mut places: CellPlaces<F, N> = Vec::new();
         layout(&zones, COUNT, &mut places);
         lean(&mut places);
         let (mut work, mut load) = (zero, zero);
-        let mut depths: Vec<WithSlope<F>, EDGES> = Vec::new();
+        let mut depths: Vec<WithSlope<F, N>, EDGES> = Vec::new();
         let (mut edges, mut growth) = (Vec::new(), Vec::new());
         for place in &places {
             let q = (level - curve.at(place.at)).max(zero);
@@ -96,7 +96,9 @@ impl<F: Float> Estimate<F> {
             let _ = depths.push(q);
         }
         for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
-            let _ = self.fours.push(FourEdges { places: apart(edges), growth: apart(growth) });
+            let _ = self
+                .fours
+                .push(FourEdges { places: side_by_side(edges), growth: side_by_side(growth) });
         }
         let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
         self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
@@ -107,20 +109,27 @@ impl<F: Float> Estimate<F> {
         let size = work / energy.shift(F::TINY);
         self.load = load * size;
         for four in &mut self.fours {
-            let [growth, slopes] = &mut four.growth;
-            for (value, slope) in growth.iter_mut().zip(slopes) {
-                let sized = WithSlope { value: *value, gradient: [*slope] } * size;
-                (*value, [*slope]) = (sized.value, sized.gradient);
+            let WithSlope { value, gradient } = &mut four.growth;
+            for (k, value) in value.iter_mut().enumerate() {
+                let of = |slopes: &[F; 4]| slopes.get(k).copied().unwrap_or(F::zero());
+                let sized =
+                    WithSlope { value: *value, gradient: gradient.each_ref().map(of) } * size;
+                *value = sized.value;
+                for (slopes, own) in gradient.iter_mut().zip(sized.gradient) {
+                    if let Some(slope) = slopes.get_mut(k) {
+                        *slope = own;
+                    }
+                }
             }
         }
     }
 
     /// The deflection at `y`, and its slope along `y`.
-    pub fn deflection(&self, y: WithSlope<F>) -> [WithSlope<F>; 2] {
-        with_avx!(if 1 => <F: Float>(
-            estimate: &Estimate<F> = self,
-            y: WithSlope<F> = y
-        ) -> [WithSlope<F>; 2] {
+    pub fn deflection(&self, y: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
+        with_avx!(if 1 => <F: Float; N>(
+            estimate: &Estimate<F, N> = self,
+            y: WithSlope<F, N> = y
+        ) -> [WithSlope<F, N>; 2] {
             estimate.in_fours::<F::Four>(y)
         } {
             estimate.in_fours::<F::WideFour>(y)
@@ -129,47 +138,53 @@ impl<F: Float> Estimate<F> {
 
     /// `Σ growth arsinh((y − edge)/ε)`, four edges side by side, and its slope.
     #[inline(always)]
-    fn in_fours<P: Strips<F>>(&self, y: WithSlope<F>) -> [WithSlope<F>; 2] {
+    fn in_fours<P: Strips<F>>(&self, y: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
         let one = P::one();
         let inverse = self.breadth.inverse();
-        let ([y_moved], [inverse_moved]) = (y.gradient, inverse.gradient);
-        let mut sums = [P::zero(); 4];
-        let four = |list: [F; 4]| P::gather(|k| list.get(k).copied().unwrap_or(F::zero()));
+        let all = |own: WithSlope<F, N>| WithSlope {
+            value: P::all(own.value),
+            gradient: own.gradient.map(P::all),
+        };
+        let four = |list: &[F; 4]| P::gather(|k| list.get(k).copied().unwrap_or(F::zero()));
+        let fours = |own: &WithSlope<[F; 4], N>| WithSlope {
+            value: four(&own.value),
+            gradient: own.gradient.each_ref().map(four),
+        };
+        let (y, per_breadth) = (all(y), all(inverse));
+        let mut sums = [WithSlope::<P, N>::zero(); 2];
         for FourEdges { places, growth } in &self.fours {
-            let ([edge, edge_moved], [growth, growth_moved]) = (places.map(four), growth.map(four));
-            let distance = P::all(y.value) - edge;
-            let x = distance * P::all(inverse.value);
-            let moved = (P::all(y_moved) - edge_moved) * P::all(inverse.value)
-                + distance * P::all(inverse_moved);
+            let size = fours(growth);
+            let x = (y - fours(places)) * per_breadth;
             // arsinh x = ln(|x| + √(1 + x²)) with the sign of x, its slope 1/√(1 + x²), and the
             // slope of that
-            let root = (x.squared() + one).sqrt();
+            let root = (x.value.squared() + one).sqrt();
             let slope = one / root;
-            let bend = -(x * slope * slope.squared());
-            let size = F::ln_quotients(x.abs() + root, F::one());
-            let value = x.choose(size, -size);
-            let [a, b, c, d] = &mut sums;
-            *a += growth * value;
-            *b += growth_moved * value + growth * slope * moved;
-            *c += growth * slope;
-            *d += growth_moved * slope + growth * bend * moved;
+            let bend = -(x.value * slope * slope.squared());
+            let logarithm = F::ln_quotients(x.value.abs() + root, F::one());
+            let value = x.value.choose(logarithm, -logarithm);
+            let [sum, slopes] = &mut sums;
+            *sum += size * WithSlope::composed(value, [slope], [x]);
+            *slopes += size * WithSlope::composed(slope, [bend], [x]);
         }
-        let [a, b, c, d] = sums.map(P::total);
-        let slope = WithSlope { value: c, gradient: [d] };
-        [WithSlope { value: a, gradient: [b] }, slope * inverse]
+        let [sum, slopes] = sums.map(|own| WithSlope {
+            value: own.value.total(),
+            gradient: own.gradient.map(P::total),
+        });
+        [sum, slopes * inverse]
     }
 }
 
 /// Adds the load per width of a place. Neighbours share an edge.
-fn add_load<F: Float>(
-    edges: &mut Vec<WithSlope<F>, EDGES>,
-    growth: &mut Vec<WithSlope<F>, EDGES>,
-    place: &CellPlace<F>,
-    density: WithSlope<F>,
+fn add_load<F: Float, const N: usize>(
+    edges: &mut Vec<WithSlope<F, N>, EDGES>,
+    growth: &mut Vec<WithSlope<F, N>, EDGES>,
+    place: &CellPlace<F, N>,
+    density: WithSlope<F, N>,
 ) {
     let half = place.width.times(0.5);
     let (lower, upper) = (place.y - half, place.y + half);
-    let shared = |edge: &WithSlope<F>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
+    let shared =
+        |edge: &WithSlope<F, N>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
     match growth.last_mut() {
         Some(growth) if edges.last().is_some_and(shared) => *growth += density,
         _ => {
@@ -181,8 +196,12 @@ fn add_load<F: Float>(
     let _ = growth.push(-density);
 }
 
-/// The values of up to four numbers, and their derivatives.
-fn apart<F: Float>(numbers: &[WithSlope<F>]) -> [[F; 4]; 2] {
+/// Up to four numbers side by side.
+fn side_by_side<F: Float, const N: usize>(numbers: &[WithSlope<F, N>]) -> WithSlope<[F; 4], N> {
     let number = |k: usize| numbers.get(k).copied().unwrap_or(WithSlope::zero());
-    [[0, 1, 2, 3].map(|k| number(k).value), [0, 1, 2, 3].map(|k| number(k).gradient[0])]
+    let four = |of: &dyn Fn(WithSlope<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));
+    WithSlope {
+        value: four(&|own| own.value),
+        gradient: core::array::from_fn(|d| four(&|own| own.derivative(d))),
+    }
 }

@@ -7,12 +7,12 @@ use crate::numerics::hermite::Cubic;
 
 /// An extreme of the function that the cubic stands for, where the sign of its value depends on
 /// how exactly its place is known; others as they are.
-pub(super) fn refined<F: Float>(
-    cubic: &Cubic<WithSlope<F>>,
+pub(super) fn refined<F: Float, const N: usize>(
+    cubic: &Cubic<WithSlope<F, N>>,
     length: F,
-    mut cut: WithSlope<F>,
-    exact: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
-) -> WithSlope<F> {
+    mut cut: WithSlope<F, N>,
+    exact: impl Fn(WithSlope<F, N>) -> [WithSlope<F, N>; 2],
+) -> WithSlope<F, N> {
     let Cubic(c) = cubic;
     let [c0, .., c2, c3] = c.map(|c| c.value);
     let inside = |t: F| t > F::zero() && t < length;
@@ -37,10 +37,10 @@ pub(super) fn refined<F: Float>(
 
 /// The places of the beginning, the two extremes and the end of a cubic of some length. In the
 /// place of extremes that are none there is twice the point of inflection, from which they come.
-pub(super) fn cuts<F: Float>(
-    cubic: &Cubic<WithSlope<F>>,
-    length: WithSlope<F>,
-) -> [WithSlope<F>; 4] {
+pub(super) fn cuts<F: Float, const N: usize>(
+    cubic: &Cubic<WithSlope<F, N>>,
+    length: WithSlope<F, N>,
+) -> [WithSlope<F, N>; 4] {
     let zero = WithSlope::zero();
     let Cubic([_, c1, c2, c3]) = *cubic;
     // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
@@ -56,8 +56,8 @@ pub(super) fn cuts<F: Float>(
             let bend = half.times(2.0) + (c3.value * t).times(6.0);
             let steep = if bend.abs() > F::TINY { F::one() / bend } else { F::zero() };
             let t = WithSlope::from_base(moves);
-            let [moved] = cubic.slope(t).gradient;
-            WithSlope { value: moves, gradient: [-(moved * steep)] }
+            let moved = cubic.slope(t).gradient;
+            WithSlope { value: moves, gradient: moved.map(|moved| -(moved * steep)) }
         };
         let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
         cuts = [zero, one.min(two), one.max(two), length];
@@ -71,11 +71,11 @@ pub(super) fn cuts<F: Float>(
 }
 
 /// The place where a function is zero between two places of different sign, with its derivative.
-pub(super) fn zero_of<F: Float>(
-    of: impl Fn(WithSlope<F>) -> [WithSlope<F>; 2],
+pub(super) fn zero_of<F: Float, const N: usize>(
+    of: impl Fn(WithSlope<F, N>) -> [WithSlope<F, N>; 2],
     negative: F,
     positive: F,
-) -> WithSlope<F> {
+) -> WithSlope<F, N> {
     let plain = |t: F| of(WithSlope::from_base(t)).map(|x| x.value);
     let t = root(Bracket { negative, positive }, plain);
     let [value, slope] = of(WithSlope::from_base(t));

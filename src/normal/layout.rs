@@ -14,21 +14,21 @@ use heapless::Vec;
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 /// The place of a cell, or of a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CellPlace<F> {
+pub(super) struct CellPlace<F, const N: usize> {
     /// Its middle \[m\].
-    pub y: WithSlope<F>,
+    pub y: WithSlope<F, N>,
     /// Its width \[m\].
-    pub width: WithSlope<F>,
+    pub width: WithSlope<F, N>,
     /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
     /// hardly a gap between them, at the middle of both.
-    pub at: WithSlope<F>,
+    pub at: WithSlope<F, N>,
     /// How strongly the pressure is coupled to that of the place before and to that of the place
     /// after, `κ` \[m\].
-    pub coupling: [WithSlope<F>; 2],
+    pub coupling: [WithSlope<F, N>; 2],
     /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
-    pub alone: WithSlope<F>,
+    pub alone: WithSlope<F, N>,
     /// Share of a whole cell.
-    share: WithSlope<F>,
+    share: WithSlope<F, N>,
     /// Number of the cell that it is a part of.
     cell: i32,
     /// Number of its zone.
@@ -42,17 +42,17 @@ const NEAR: f64 = 0.5;
 /// Square of the least gap, over that.
 const CLOSEST: f64 = 1e-6;
 
-pub(super) type CellPlaces<F> = Vec<CellPlace<F>, CELLS>;
+pub(super) type CellPlaces<F, const N: usize> = Vec<CellPlace<F, N>, CELLS>;
 
 /// At most `count` cells, and one more for each zone but the first: the density of the zones
 /// decides how wide they are. (The cells are written where they stay: a copy would take room on the
 /// stack.) Returns the integral of the density.
 #[inline(never)]
-pub(super) fn layout<F: Float>(
-    zones: &Zones<F>,
+pub(super) fn layout<F: Float, const N: usize>(
+    zones: &Zones<F, N>,
     count: usize,
-    places: &mut CellPlaces<F>,
-) -> WithSlope<F> {
+    places: &mut CellPlaces<F, N>,
+) -> WithSlope<F, N> {
     places.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
     let (mut total, mut far) = (WithSlope::zero(), F::zero());
@@ -68,7 +68,7 @@ pub(super) fn layout<F: Float>(
     // where the next stretch begins, in cells
     let mut begin = zero;
     let mut cell = 0_i32;
-    let mut add = |from: &Cut<F>, to: &Cut<F>, cell: i32| {
+    let mut add = |from: &Cut<F, N>, to: &Cut<F, N>, cell: i32| {
         let share = to.at - from.at;
         if share.value > least {
             let y = (from.place + to.place).times(0.5);
@@ -112,10 +112,10 @@ pub(super) fn layout<F: Float>(
 
 /// Where cells are cut.
 #[derive(Clone, Copy)]
-struct Cut<F> {
-    place: WithSlope<F>,
+struct Cut<F, const N: usize> {
+    place: WithSlope<F, N>,
     /// The same in cells.
-    at: WithSlope<F>,
+    at: WithSlope<F, N>,
     zone: usize,
 }
 
@@ -133,7 +133,7 @@ struct Cut<F> {
 /// their nearness over the free length between, its parts are coupled to a pressure of zero with
 /// `κ = 0.3 w (1 − r)²/r`.
 #[inline(never)]
-pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
+pub(super) fn lean<F: Float, const N: usize>(places: &mut CellPlaces<F, N>) {
     let known = places.clone();
     let [total, all] = known.iter().fold([WithSlope::zero(); 2], |[width, share], part| {
         [width + part.width, share + part.share]
@@ -179,15 +179,15 @@ pub(super) fn lean<F: Float>(places: &mut CellPlaces<F>) {
 }
 
 /// Share of a whole cell that a place's zone has, with other zones by their nearness.
-fn zone_share<F: Float>(
-    known: &CellPlaces<F>,
+fn zone_share<F: Float, const N: usize>(
+    known: &CellPlaces<F, N>,
     from: usize,
-    half_cell: WithSlope<F>,
-) -> WithSlope<F> {
+    half_cell: WithSlope<F, N>,
+) -> WithSlope<F, N> {
     let mut sum = WithSlope::zero();
     let Some((before, rest)) = known.split_at_checked(from) else { return sum };
-    let mut add = |parts: &mut dyn Iterator<Item = &CellPlace<F>>, skipped: usize| {
-        let (mut free, mut last) = (WithSlope::zero(), None::<&CellPlace<F>>);
+    let mut add = |parts: &mut dyn Iterator<Item = &CellPlace<F, N>>, skipped: usize| {
+        let (mut free, mut last) = (WithSlope::zero(), None::<&CellPlace<F, N>>);
         for (k, part) in parts.enumerate() {
             if let Some(last) = last.filter(|last| last.zone != part.zone) {
                 let apart = part.y - last.y;
@@ -205,7 +205,10 @@ fn zone_share<F: Float>(
     sum
 }
 
-fn added<F: Float>(one: &[WithSlope<F>; 3], other: &[WithSlope<F>; 3]) -> [WithSlope<F>; 3] {
+fn added<F: Float, const N: usize>(
+    one: &[WithSlope<F, N>; 3],
+    other: &[WithSlope<F, N>; 3],
+) -> [WithSlope<F, N>; 3] {
     core::array::from_fn(|k| match (one.get(k), other.get(k)) {
         (Some(one), Some(other)) => *one + *other,
         _ => WithSlope::zero(),
@@ -213,20 +216,20 @@ fn added<F: Float>(one: &[WithSlope<F>; 3], other: &[WithSlope<F>; 3]) -> [WithS
 }
 
 /// The other parts of a cell on one side of a part.
-struct Beside<F> {
+struct Beside<F, const N: usize> {
     /// Width, share, and width times place, each times the nearness.
-    near: [WithSlope<F>; 3],
+    near: [WithSlope<F, N>; 3],
     /// Gap before the next part \[m\].
-    gap: WithSlope<F>,
+    gap: WithSlope<F, N>,
     /// Width of these parts, times their nearness to the next part.
-    outer: WithSlope<F>,
+    outer: WithSlope<F, N>,
 }
 
-impl<F: Float> Beside<F> {
-    fn new(known: &CellPlaces<F>, from: usize, step: isize, reach: WithSlope<F>) -> Self {
+impl<F: Float, const N: usize> Beside<F, N> {
+    fn new(known: &CellPlaces<F, N>, from: usize, step: isize, reach: WithSlope<F, N>) -> Self {
         let zero = WithSlope::zero();
         let mut beside = Self { near: [zero; 3], gap: zero, outer: zero };
-        let (mut nearness, mut to_next) = (WithSlope::one(), None::<WithSlope<F>>);
+        let (mut nearness, mut to_next) = (WithSlope::one(), None::<WithSlope<F, N>>);
         let mut k = from;
         while let (Some(own), Some(next)) =
             (known.get(k), k.checked_add_signed(step).and_then(|next| known.get(next)))

@@ -18,11 +18,13 @@
 pub mod cells;
 pub(crate) mod crossings;
 mod density;
+pub(crate) mod directions;
 mod equations;
 mod estimate;
 mod extremes;
 mod influence;
 mod layout;
+pub(crate) mod moving;
 mod outline;
 pub(crate) mod parabola;
 pub mod profile;
@@ -38,7 +40,7 @@ pub use crate::normal::profile::Profile;
 use crate::normal::profile::WithSlope;
 pub use crate::normal::profile_contact::ProfileContact;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, Number};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
 use core::f64::consts::PI;
@@ -110,36 +112,40 @@ impl<F: Float> Indentation<F> {
         }
         // N/(π E*), or the approach
         let unit = F::one() / contact.modulus().times(PI);
-        let input = WithSlope::input(value, 0);
+        let input = WithSlope::<F, 1>::input(value, 0);
         let given = match contact.given {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
         };
         let mut cells = Cells { list: Vec::new() };
-        match Outline::new(profile, contact, given, count, &mut cells)? {
-            Some(outline) => Self::pressed(profile, contact, &mut cells, outline, take),
-            None => Ok(Self::none(profile)),
-        }
+        let Some(outline) = Outline::new(profile, contact, given, count, &mut cells)? else {
+            return Ok(Self::none(profile));
+        };
+        let mut found = Self::pressed(profile, contact, &mut cells, outline)?;
+        found.strips(contact, &cells, |number| number.value, take)?;
+        Ok(found)
     }
 
-    /// The same of a part of the curve of two surfaces, for a given approach.
+    /// The same of a part of the curve of two surfaces, for a given approach, whose derivatives
+    /// are those that are requested; `cells` receives what strips are made of, nothing without
+    /// contact.
     ///
     /// # Errors
     /// Those of [`Patch::from_profile`].
-    pub(crate) fn of_surfaces(
+    pub(crate) fn of_surfaces<const N: usize>(
         profile: &Profile<F>,
-        curve: &SmoothedProfile<F>,
+        curve: &SmoothedProfile<F, N>,
         contact: &ProfileContact<F>,
+        approach: WithSlope<F, N>,
         count: StripCount,
-        take: impl FnMut(PatchStrip<F>) -> bool,
+        cells: &mut Cells<F, N>,
     ) -> Result<Self, Error> {
         contact.check(true)?;
-        let approach = WithSlope::input(contact.given.number(), 0);
+        cells.list.clear();
         if approach.value <= F::zero() {
             return Ok(Self::none(profile));
         }
-        let mut cells = Cells { list: Vec::new() };
-        let radius = |loads: &mut dyn Iterator<Item = [WithSlope<F>; 2]>| {
+        let radius = |loads: &mut dyn Iterator<Item = [WithSlope<F, N>; 2]>| {
             // (of nothing that of the contact)
             let tiny = WithSlope::from_base(F::TINY);
             let (mut sum, mut moment) = (tiny, tiny * WithSlope::from_base(contact.rolling_radius));
@@ -150,36 +156,28 @@ impl<F: Float> Indentation<F> {
             moment / sum
         };
         let given = Given::Approach(approach);
-        let outline = Outline::with_cells(
-            profile,
-            contact,
-            curve,
-            (given, approach),
-            radius,
-            count,
-            &mut cells,
-        );
+        let outline =
+            Outline::with_cells(profile, contact, curve, (given, approach), radius, count, cells);
         // (an overlap of a few roundings may be narrower than rounding)
         if cells.list.is_empty() {
             return Ok(Self::none(profile));
         }
-        Self::pressed(profile, contact, &mut cells, outline, take)
+        Self::pressed(profile, contact, cells, outline)
     }
 
-    /// The strips of cells, and the result.
-    fn pressed(
+    /// Solves for the pressures of cells.
+    fn pressed<const N: usize>(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        cells: &mut Cells<F>,
-        outline: Outline<F>,
-        mut take: impl FnMut(PatchStrip<F>) -> bool,
+        cells: &mut Cells<F, N>,
+        outline: Outline<F, N>,
     ) -> Result<Self, Error> {
         let Outline { given, power, iterations, at_end, lowest } = outline;
         let pressed = solve_pressures(cells, power, given) * cells.skew(given);
         let load = cells.load();
-        let ([by_load], [by_approach]) = (pressed.gradient, load.gradient);
+        let (by_load, by_approach) = (pressed.derivative(0), load.derivative(0));
         let modulus = contact.modulus().times(PI);
-        let mut found = Self {
+        let found = Self {
             // (of a profile at the ends of the number range rounding leaves less than nothing)
             approach: pressed.value.max(F::zero()),
             normal_force: load.value * modulus,
@@ -196,43 +194,59 @@ impl<F: Float> Indentation<F> {
         if !results.iter().all(|result| result.is_finite_number()) {
             return Err(Error::Overflow);
         }
-        let [slope, usual] = cells.means();
+        Ok(found)
+    }
+
+    /// Hands the strips that touch to `take`, made of the numbers that `of` makes of those of
+    /// cells.
+    ///
+    /// # Errors
+    /// [`Error::PatchSize`] when one is not taken.
+    pub(crate) fn strips<const N: usize>(
+        &mut self,
+        contact: &ProfileContact<F>,
+        cells: &Cells<F, N>,
+        of: impl Fn(WithSlope<F, N>) -> F,
+        mut take: impl FnMut(PatchStrip<F>) -> bool,
+    ) -> Result<(), Error> {
+        let modulus = contact.modulus().times(PI);
+        let [slope, usual] = cells.means(&of);
         let slope = slope.times(LEAST_SLOPE);
         for cell in cells.list.iter().filter(|cell| cell.pressure.value > F::zero()) {
             // the same load on less: the length of a strip that begins to touch vanishes with its
             // pressure
-            let (a, p) = (cell.half_length.value, cell.pressure.value);
+            let (a, p) = (of(cell.half_length), of(cell.pressure));
             let share = (p / (slope * a)).min(F::one()).sqrt().max(F::of(LEAST_LENGTH));
             // and on the usual width: what is wider carries little
-            let width = cell.width.value.min(usual);
-            let p = p * (cell.width.value / width);
+            let width = of(cell.width).min(usual);
+            let p = p * (of(cell.width) / width);
             let strip = PatchStrip {
-                y: cell.y.value,
+                y: of(cell.y),
                 width,
                 half_length: a * share,
-                centre_x: cell.centre_x.value,
+                centre_x: of(cell.centre_x),
                 peak_pressure: p / share * modulus,
                 friction: contact.friction,
             };
-            if strip.peak_pressure > found.peak_pressure {
-                (found.peak_pressure, found.peak_y) = (strip.peak_pressure, strip.y);
+            if strip.peak_pressure > self.peak_pressure {
+                (self.peak_pressure, self.peak_y) = (strip.peak_pressure, strip.y);
             }
             if !take(strip) {
                 return Err(Error::PatchSize);
             }
         }
-        Ok(found)
+        Ok(())
     }
 }
 
 /// Pressures and corrected lengths of the cells; the approach. (Out of line, so that the
 /// equations take no room while the outline is made.)
 #[inline(never)]
-fn solve_pressures<F: Float>(
-    cells: &mut Cells<F>,
-    power: WithSlope<F>,
-    given: Given<WithSlope<F>>,
-) -> WithSlope<F> {
+fn solve_pressures<F: Float, const N: usize>(
+    cells: &mut Cells<F, N>,
+    power: WithSlope<F, N>,
+    given: Given<WithSlope<F, N>>,
+) -> WithSlope<F, N> {
     let mut equations = Equations::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {

@@ -37,11 +37,11 @@ const fn number_of_cells(count: StripCount) -> usize {
 }
 
 /// What is known of the cells besides.
-pub(super) struct Outline<F> {
+pub(super) struct Outline<F, const N: usize> {
     /// The load or the approach.
-    pub given: Given<WithSlope<F>>,
+    pub given: Given<WithSlope<F, N>>,
     /// Of a correction of the lengths.
-    pub power: WithSlope<F>,
+    pub power: WithSlope<F, N>,
     pub iterations: u32,
     /// Whether a zone ends with the profile.
     pub at_end: bool,
@@ -49,7 +49,7 @@ pub(super) struct Outline<F> {
     pub lowest: F,
 }
 
-impl<F: Float> Outline<F> {
+impl<F: Float> Outline<F, 1> {
     /// Where cells lie, with their first lengths. None where the smoothed profile does not reach
     /// the other body. (Out of line: what leads to the cells need not be kept while they are
     /// solved.)
@@ -57,9 +57,9 @@ impl<F: Float> Outline<F> {
     pub fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        given: Given<WithSlope<F>>,
+        given: Given<WithSlope<F, 1>>,
         count: StripCount,
-        cells: &mut Cells<F>,
+        cells: &mut Cells<F, 1>,
     ) -> Result<Option<Self>, Error> {
         let radius = contact.rolling_radius;
         // about the approach, and the curve that its width requires
@@ -110,16 +110,18 @@ impl<F: Float> Outline<F> {
         );
         Ok(Some(Self { iterations, lowest: curve.lowest.value, ..outline }))
     }
+}
 
+impl<F: Float, const N: usize> Outline<F, N> {
     /// The cells of a curve for an approach.
     pub fn with_cells(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        curve: &SmoothedProfile<F>,
-        (given, approach): (Given<WithSlope<F>>, WithSlope<F>),
-        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
+        curve: &SmoothedProfile<F, N>,
+        (given, approach): (Given<WithSlope<F, N>>, WithSlope<F, N>),
+        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
         count: StripCount,
-        cells: &mut Cells<F>,
+        cells: &mut Cells<F, N>,
     ) -> Self {
         let mut zones = Zones::new(approach, curve.smoothing());
         let (at_end, mean_radius) = touching(curve, approach, radius, &mut zones);
@@ -127,16 +129,13 @@ impl<F: Float> Outline<F> {
         let width = layout(&zones, number_of_cells(count), &mut places);
         lean(&mut places);
         let first_lengths = Lengths::new(width, mean_radius, approach);
-        cells.place(
-            &places,
-            |y| {
-                let height = curve.at(y);
-                let radius = profile.rolling_radius(y, contact.rolling_radius);
-                let touches = approach.value.times(OVERLAP) > height.value;
-                ([height, radius, first_lengths.at(height, radius)], touches)
-            },
-            |y| profile.centre_x(y),
-        );
+        let of = |y| {
+            let height = curve.at(y);
+            let radius = profile.rolling_radius(y, contact.rolling_radius);
+            let touches = approach.value.times(OVERLAP) > height.value;
+            ([height, radius, first_lengths.at(height, radius)], touches)
+        };
+        cells.place(&places, of, |y| profile.centre_x(y));
         let power = first_lengths.power(given);
         Self { given, power, iterations: 0, at_end, lowest: F::zero() }
     }
@@ -145,12 +144,12 @@ impl<F: Float> Outline<F> {
 /// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile,
 /// and the rolling radius. (Out of line: the estimate need not be kept while the cells are made.)
 #[inline(never)]
-fn touching<F: Float>(
-    curve: &SmoothedProfile<F>,
-    approach: WithSlope<F>,
-    radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F>; 2]>) -> WithSlope<F>,
-    zones: &mut Zones<F>,
-) -> (bool, WithSlope<F>) {
+fn touching<F: Float, const N: usize>(
+    curve: &SmoothedProfile<F, N>,
+    approach: WithSlope<F, N>,
+    radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
+    zones: &mut Zones<F, N>,
+) -> (bool, WithSlope<F, N>) {
     let mut estimate = Estimate::nothing();
     let mut mean_radius = WithSlope::zero();
     estimate.fill(curve, approach, |loads| {
@@ -167,15 +166,15 @@ fn touching<F: Float>(
 
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when
 /// they approach by `δ`.
-struct Lengths<F> {
-    rim: WithSlope<F>,
+struct Lengths<F, const N: usize> {
+    rim: WithSlope<F, N>,
     /// About the logarithm of the axis ratio, times 1.13.
-    slenderness: WithSlope<F>,
-    approach: WithSlope<F>,
+    slenderness: WithSlope<F, N>,
+    approach: WithSlope<F, N>,
 }
 
-impl<F: Float> Lengths<F> {
-    fn new(width: WithSlope<F>, radius: WithSlope<F>, approach: WithSlope<F>) -> Self {
+impl<F: Float, const N: usize> Lengths<F, N> {
+    fn new(width: WithSlope<F, N>, radius: WithSlope<F, N>, approach: WithSlope<F, N>) -> Self {
         let ratio = width.times(1.0 / 2.1) / (radius * approach).sqrt();
         let logarithm = ratio.value.ln_quotient(F::one());
         let logarithm = WithSlope::composed(logarithm, [F::one() / ratio.value], [ratio]);
@@ -185,7 +184,7 @@ impl<F: Float> Lengths<F> {
     }
 
     /// `a² = 2 R (1 − λ)(δ − h/λ)`, and at least about `0.06 R δ`.
-    fn at(&self, height: WithSlope<F>, radius: WithSlope<F>) -> WithSlope<F> {
+    fn at(&self, height: WithSlope<F, N>, radius: WithSlope<F, N>) -> WithSlope<F, N> {
         let double = radius.times(2.0);
         let square = double * (WithSlope::one() - self.rim) * (self.approach - height / self.rim);
         let least = (radius * self.approach).times(LEAST_SQUARE);
@@ -196,7 +195,7 @@ impl<F: Float> Lengths<F> {
 
     /// The power of a correction of the lengths. A correction of one length changes the condition
     /// at its neighbours as well, less so in slender patches.
-    fn power(&self, given: Given<WithSlope<F>>) -> WithSlope<F> {
+    fn power(&self, given: Given<WithSlope<F, N>>) -> WithSlope<F, N> {
         let more = match given {
             // 1.6/(1 + (g/0.6)^1.3)
             Given::Load(_) => {

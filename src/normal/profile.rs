@@ -1,12 +1,13 @@
 //! The given distance of two bodies, and the section in which they would overlap if they were
 //! shifted into each other.
 
+use crate::normal::directions::{Moves, TOGETHER};
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, are_finite};
 use crate::status::Error;
 
 /// A number and its derivative with respect to the given load or approach.
-pub(super) type WithSlope<F> = Dual<F, 1>;
+pub(super) type WithSlope<F, const N: usize> = Dual<F, N>;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
 /// width of the patch.
@@ -35,15 +36,17 @@ pub struct Profile<'a, F> {
     /// Distance of the bodies up to which a point counts fully when the profile is smoothed, and
     /// from which it does not count \[m\].
     pub(super) fade: Option<[F; 2]>,
+    /// How the points move, if they do.
+    pub(super) motion: Option<&'a dyn Moves<F>>,
 }
 
 /// Where the bodies would overlap.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Section<F> {
+pub(super) struct Section<F, const N: usize> {
     /// Half the width of the parabola of the same volume \[m\].
-    pub half_width: WithSlope<F>,
+    pub half_width: WithSlope<F, N>,
     /// Rolling radius, its mean over the volume \[m\].
-    pub rolling_radius: WithSlope<F>,
+    pub rolling_radius: WithSlope<F, N>,
 }
 
 impl<'a, F: Float> Profile<'a, F> {
@@ -72,8 +75,8 @@ impl<'a, F: Float> Profile<'a, F> {
         let step = (to - from) / F::widened((y.len() - 1) as f32);
         let none: &[F] = &[];
         let (centre_x, rolling_radius) = (none, none);
-        let fade = None;
-        Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step, fade })
+        let (fade, motion) = (None, None);
+        Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step, fade, motion })
     }
 
     /// The same of two surfaces whose points may come and go far from the contact without any
@@ -86,6 +89,12 @@ impl<'a, F: Float> Profile<'a, F> {
         if self.middle.abs() < step.times(1e6) {
             self.middle = F::zero();
         }
+        self
+    }
+
+    /// The same with points that move.
+    pub(crate) fn moving(mut self, motion: &'a dyn Moves<F>) -> Self {
+        self.motion = Some(motion);
         self
     }
 
@@ -133,28 +142,37 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     /// Where the distance is least along `x`.
-    pub(super) fn centre_x(&self, y: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn centre_x<const N: usize>(&self, y: WithSlope<F, N>) -> WithSlope<F, N> {
         if self.centre_x.is_empty() {
             return WithSlope::zero();
         }
-        self.between(self.centre_x, y)
+        self.between(self.centre_x, 2, y)
     }
 
     /// The rolling radius at a place; `otherwise` is that of the contact.
-    pub(super) fn rolling_radius(&self, y: WithSlope<F>, otherwise: F) -> WithSlope<F> {
+    pub(super) fn rolling_radius<const N: usize>(
+        &self,
+        y: WithSlope<F, N>,
+        otherwise: F,
+    ) -> WithSlope<F, N> {
         if self.rolling_radius.is_empty() {
             return WithSlope::from_base(otherwise);
         }
-        self.between(self.rolling_radius, y)
+        self.between(self.rolling_radius, 3, y)
     }
 
     /// The distance of the bodies, straight between the points.
     pub(super) fn distance_at(&self, y: F) -> F {
-        self.between(self.distance, WithSlope::from_base(y)).value
+        self.between(self.distance, 1, WithSlope::<F, 0>::from_base(y)).value
     }
 
-    /// Interpolates linearly between the points.
-    fn between(&self, list: &[F], y: WithSlope<F>) -> WithSlope<F> {
+    /// Interpolates linearly between the points of a list, which is this one of those that move.
+    fn between<const N: usize>(
+        &self,
+        list: &[F],
+        number: usize,
+        y: WithSlope<F, N>,
+    ) -> WithSlope<F, N> {
         let next = self
             .y
             .partition_point(|place| *place < y.value)
@@ -163,12 +181,29 @@ impl<'a, F: Float> Profile<'a, F> {
         let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
         let (before, after) = (at(list, next - 1), at(list, next));
-        (y - WithSlope::from_base(from)).scale((after - before) / (to - from)).shift(before)
+        let slope = (after - before) / (to - from);
+        let mut found = (y - WithSlope::from_base(from)).scale(slope).shift(before);
+        if let Some(motion) = self.motion {
+            let share = (y.value - from) / (to - from);
+            let points = [next - 1, next].map(|k| motion.moves_of_point(k));
+            for (point, weight) in points.into_iter().zip([F::one() - share, share]) {
+                let [places, ..] = point;
+                let moved = point.get(number).copied().unwrap_or([F::zero(); TOGETHER]);
+                for ((sum, moved), place) in found.gradient.iter_mut().zip(moved).zip(places) {
+                    *sum += weight * (moved - slope * place);
+                }
+            }
+        }
+        found
     }
 
     /// The length over which the distance is less than a level above `from`; between once and twice
     /// the level it counts less and less.
-    pub(super) fn low_length(&self, level: WithSlope<F>, from: F) -> WithSlope<F> {
+    pub(super) fn low_length<const N: usize>(
+        &self,
+        level: WithSlope<F, N>,
+        from: F,
+    ) -> WithSlope<F, N> {
         let inverse = level.shift(F::TINY).inverse();
         let one = WithSlope::one();
         let mut length = WithSlope::zero();
@@ -183,7 +218,11 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose
     /// profile has none.
-    pub(super) fn section(&self, approach: WithSlope<F>, radius: F) -> Section<F> {
+    pub(super) fn section<const N: usize>(
+        &self,
+        approach: WithSlope<F, N>,
+        radius: F,
+    ) -> Section<F, N> {
         let level = approach.times(SECTION);
         let mut volume = WithSlope::from_base(F::TINY);
         let mut moment = WithSlope::from_base(radius * F::TINY);
@@ -212,7 +251,11 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// About the load over `E*`: of the ellipse with `a² = 1.1 R δ` and the width of the section,
     /// `N = (4/3) E* δ M(a, b)` with Gauss's mean `M`.
-    pub(super) fn load(&self, approach: WithSlope<F>, radius: F) -> WithSlope<F> {
+    pub(super) fn load<const N: usize>(
+        &self,
+        approach: WithSlope<F, N>,
+        radius: F,
+    ) -> WithSlope<F, N> {
         let Section { half_width, rolling_radius } = self.section(approach, radius);
         let mut a = (rolling_radius * approach).times(2.0 * SECTION).sqrt();
         let mut b = half_width;
@@ -230,10 +273,10 @@ impl<'a, F: Float> Profile<'a, F> {
 /// logarithms between brackets, the last without a test, so that derivatives are those of the
 /// inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
-    target: WithSlope<F>,
+    target: WithSlope<F, 1>,
     start: F,
-    mut function: impl FnMut(WithSlope<F>) -> WithSlope<F>,
-) -> Option<(WithSlope<F>, u32)> {
+    mut function: impl FnMut(WithSlope<F, 1>) -> WithSlope<F, 1>,
+) -> Option<(WithSlope<F, 1>, u32)> {
     let (mut low, mut high) = (F::zero(), F::LARGEST);
     let mut x = start;
     let close = F::EPSILON.sqrt().max(F::of(1e-5));

@@ -56,7 +56,7 @@ impl<F: Float> ProfileContact<F> {
         Ok(())
     }
 
-    pub(super) fn smoothing(&self, half_width: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn smoothing<const N: usize>(&self, half_width: WithSlope<F, N>) -> WithSlope<F, N> {
         if self.smoothing_length > F::zero() {
             WithSlope::from_base(self.smoothing_length)
         } else {

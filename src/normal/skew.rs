@@ -29,18 +29,21 @@ const PRESSURE: [f64; 5] = [2.0 / 9.0, 0.20185655, 0.05583529, 0.79983055, 0.172
 const AXES: [f64; 5] = [1.0 / 32.0, 0.00877391, 0.00136164, -0.05536114, 0.03584116];
 
 /// The fitted function of the logarithm of a number.
-fn by_constants<F: Float>(x: WithSlope<F>, [s, a, b, d, e]: [f64; 5]) -> WithSlope<F> {
+fn by_constants<F: Float, const N: usize>(
+    x: WithSlope<F, N>,
+    [s, a, b, d, e]: [f64; 5],
+) -> WithSlope<F, N> {
     let x = WithSlope::composed(x.value.ln(), [F::one() / x.value], [x]);
     x * ((x.times(b).plus(a) * x).plus(s) / (x * x.times(e).plus(d)).plus(1.0))
 }
 
-fn exponential<F: Float>(x: WithSlope<F>) -> WithSlope<F> {
+fn exponential<F: Float, const N: usize>(x: WithSlope<F, N>) -> WithSlope<F, N> {
     let value = x.value.exp();
     WithSlope::composed(value, [value], [x])
 }
 
 /// `C₀` and `√(A/B)` of a contact whose semi-axes along `x` and across have this ratio.
-fn curvatures<F: Float>(ratio: WithSlope<F>) -> [WithSlope<F>; 2] {
+fn curvatures<F: Float, const N: usize>(ratio: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
     let inverse = ratio.inverse();
     let (sum, difference) = ((ratio + inverse).times(0.5), (ratio - inverse).times(0.5));
     let axes = exponential(by_constants(sum, AXES)).times(16.0 / 9.0);
@@ -58,7 +61,7 @@ fn curvatures<F: Float>(ratio: WithSlope<F>) -> [WithSlope<F>; 2] {
 }
 
 /// Half length over half width of the ellipse that has the load's distribution, and `m`.
-fn shape<F: Float>(cells: &Cells<F>) -> [WithSlope<F>; 2] {
+fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [WithSlope<F, N>; 2] {
     let per_load = cells.load().shift(F::TINY).inverse();
     // of an ellipse Σ N a² = (4/5) a² Σ N and Σ N²/w = (3/5) (Σ N)²/b
     let (mut length, mut crowded) = (WithSlope::zero(), WithSlope::zero());
@@ -84,14 +87,14 @@ fn shape<F: Float>(cells: &Cells<F>) -> [WithSlope<F>; 2] {
     [square.sqrt() * crowded.times(1.0 / 0.6), products / squares]
 }
 
-impl<F: Float> Cells<F> {
+impl<F: Float, const N: usize> Cells<F, N> {
     /// Skews the cells of the normal problem; returns the factor of the approach, one where it is
     /// given.
     #[inline(never)]
-    pub(super) fn skew(&mut self, given: Given<WithSlope<F>>) -> WithSlope<F> {
+    pub(super) fn skew(&mut self, given: Given<WithSlope<F, N>>) -> WithSlope<F, N> {
         let [zero, one] = [WithSlope::zero(), WithSlope::one()];
-        let is_zero = |x: &WithSlope<F>| x.gradient.iter().all(|d| *d == F::zero());
-        if self.list.iter().all(|c| c.centre_x.value == F::zero() && is_zero(&c.centre_x)) {
+        // (the factors grow with the square of the skew)
+        if self.list.iter().all(|cell| cell.centre_x.value == F::zero()) {
             return one;
         }
         let [ratio, slope] = shape(self);

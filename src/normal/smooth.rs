@@ -13,7 +13,7 @@ use crate::numerics::hermite::Cubic;
 use heapless::Vec;
 
 /// Largest number of knots.
-const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
+pub(super) const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 /// Largest number of pieces of a whole profile; the step of the knots is not smaller.
 const PIECES: f64 = 4096.0;
 /// Smoothing length of wide contacts \[m\].
@@ -32,27 +32,27 @@ const LOW: f64 = 0.1;
 /// Number of knots in a smoothing length.
 const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// The same of the distance of surfaces.
-const KNOTS_OF_SURFACES: f64 = 3.0;
+const KNOTS_OF_SURFACES: f64 = 2.8;
 /// Where the last piece is shorter than this share of the others, the one before ends the profile.
 const STUB: f64 = 1e-3;
 
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Knot<F> {
+pub(super) struct Knot<F, const N: usize> {
     /// Moves with the smoothing length.
-    pub y: WithSlope<F>,
-    pub height: WithSlope<F>,
-    pub slope: WithSlope<F>,
+    pub y: WithSlope<F, N>,
+    pub height: WithSlope<F, N>,
+    pub slope: WithSlope<F, N>,
     /// Whether a piece joins this knot to the one before.
     pub joined: bool,
 }
 
 /// The smoothed profile where contact is likely.
 #[derive(Clone, Debug)]
-pub(crate) struct SmoothedProfile<F> {
-    pub(super) knots: Vec<Knot<F>, KNOTS>,
+pub(crate) struct SmoothedProfile<F, const N: usize> {
+    pub(super) knots: Vec<Knot<F, N>, KNOTS>,
     /// Its lowest point.
-    pub(super) lowest: WithSlope<F>,
+    pub(super) lowest: WithSlope<F, N>,
     /// Where the distance is zero, above the lowest point of the profile.
     pub(super) zero: F,
     /// Numbers of the first knot that counts and of the one after the last.
@@ -60,23 +60,30 @@ pub(crate) struct SmoothedProfile<F> {
     /// Ends of the profile.
     pub(super) ends: [F; 2],
     /// Smoothing length \[m\].
-    length: WithSlope<F>,
+    pub(super) length: WithSlope<F, N>,
+    /// Whether the steps of the knots are those of the length where the profile is low.
+    pub(super) is_wide: bool,
     /// Whether the curve counts as constant, without its derivatives with respect to load or
     /// approach.
     pub(super) still: bool,
 }
 
+/// The distance up to which surfaces are certainly low \[m\].
+pub(super) fn low_level<F: Float>(profile: &Profile<F>) -> F {
+    profile.fade.map_or(F::zero(), |[_, none]| none.times(LOW))
+}
+
 /// The places of knots: at equal steps to both sides of a profile's middle, and at its ends.
-struct Grid<F> {
+struct Grid<F, const N: usize> {
     ends: [F; 2],
     middle: F,
-    step: WithSlope<F>,
+    step: WithSlope<F, N>,
     /// Numbers of the knots at the ends.
     numbers: [i32; 2],
 }
 
-impl<F: Float> Grid<F> {
-    fn new(profile: &Profile<F>, step: WithSlope<F>) -> Self {
+impl<F: Float, const N: usize> Grid<F, N> {
+    fn new(profile: &Profile<F>, step: WithSlope<F, N>) -> Self {
         let (ends, middle) = (profile.ends, profile.middle);
         let number = |end: F, outward: f64| {
             let steps = (end - middle) / step.value;
@@ -90,7 +97,7 @@ impl<F: Float> Grid<F> {
         Self { ends, middle, step, numbers }
     }
 
-    fn at(&self, knot: i32) -> WithSlope<F> {
+    fn at(&self, knot: i32) -> WithSlope<F, N> {
         if knot <= self.numbers[0] {
             WithSlope::from_base(self.ends[0])
         } else if knot >= self.numbers[1] {
@@ -103,7 +110,7 @@ impl<F: Float> Grid<F> {
 
 /// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a
 /// wide one.
-pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
+pub(super) fn length_for<F: Float, const N: usize>(half_width: WithSlope<F, N>) -> WithSlope<F, N> {
     let narrow = half_width.times(2.0 * SHARE);
     let widest = WithSlope::from_base(F::of(WIDEST));
     // (m⁻⁴ + c⁻⁴)^(−1/4)
@@ -112,11 +119,15 @@ pub(super) fn length_for<F: Float>(half_width: WithSlope<F>) -> WithSlope<F> {
     small / ratio.plus(1.0).sqrt().sqrt()
 }
 
-impl<F: Float> SmoothedProfile<F> {
+impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
     #[inline(never)]
-    pub(super) fn new(profile: &Profile<F>, length: WithSlope<F>, level: WithSlope<F>) -> Self {
+    pub(super) fn new(
+        profile: &Profile<F>,
+        length: WithSlope<F, N>,
+        level: WithSlope<F, N>,
+    ) -> Self {
         let mut curve = Self::nothing(profile);
         let low = (level, profile.lowest);
         curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
@@ -142,8 +153,7 @@ impl<F: Float> SmoothedProfile<F> {
     pub(crate) fn of_surfaces(profile: &Profile<F>, length: F) -> Self {
         let mut curve = Self::nothing(profile);
         let length = WithSlope::from_base(length);
-        let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
-        let low = (WithSlope::from_base(none.times(LOW)), F::zero());
+        let low = (WithSlope::from_base(low_level(profile)), F::zero());
         curve.fill_all(profile, length, KNOTS_OF_SURFACES, low, |curve, length, step| {
             curve.fill_below(profile, length, step)
         });
@@ -161,6 +171,7 @@ impl<F: Float> SmoothedProfile<F> {
             range: [0, KNOTS],
             ends: profile.ends,
             length: WithSlope::zero(),
+            is_wide: false,
             still: false,
         }
     }
@@ -172,10 +183,10 @@ impl<F: Float> SmoothedProfile<F> {
     fn fill_all(
         &mut self,
         profile: &Profile<F>,
-        length: WithSlope<F>,
+        length: WithSlope<F, N>,
         knots: f64,
-        (level, from): (WithSlope<F>, F),
-        mut fill: impl FnMut(&mut Self, WithSlope<F>, WithSlope<F>) -> bool,
+        (level, from): (WithSlope<F, N>, F),
+        mut fill: impl FnMut(&mut Self, WithSlope<F, N>, WithSlope<F, N>) -> bool,
     ) {
         let [first, last] = profile.ends;
         let whole = last - first;
@@ -188,7 +199,9 @@ impl<F: Float> SmoothedProfile<F> {
         step = step.max(least);
         let share = 1.0 / (KNOTS as f64 * ROOM);
         if whole.times(share) > step.value {
-            step = step.max(profile.low_length(level, from).times(share));
+            let low = profile.low_length(level, from).times(share);
+            self.is_wide = low.value > step.value;
+            step = step.max(low);
         }
         while !fill(self, length, step) && step.value < whole {
             step = step.times(2.0);
@@ -200,9 +213,9 @@ impl<F: Float> SmoothedProfile<F> {
     fn fill(
         &mut self,
         profile: &Profile<F>,
-        length: WithSlope<F>,
+        length: WithSlope<F, N>,
         level: F,
-        step: WithSlope<F>,
+        step: WithSlope<F, N>,
     ) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
@@ -265,8 +278,8 @@ impl<F: Float> SmoothedProfile<F> {
     fn fill_below(
         &mut self,
         profile: &Profile<F>,
-        length: WithSlope<F>,
-        step: WithSlope<F>,
+        length: WithSlope<F, N>,
+        step: WithSlope<F, N>,
     ) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
@@ -343,8 +356,8 @@ impl<F: Float> SmoothedProfile<F> {
     /// at its knots.
     pub(super) fn pieces(
         &self,
-        of: impl Fn(&Knot<F>) -> [WithSlope<F>; 2],
-        mut take: impl FnMut(&Knot<F>, &Cubic<WithSlope<F>>, WithSlope<F>),
+        of: impl Fn(&Knot<F, N>) -> [WithSlope<F, N>; 2],
+        mut take: impl FnMut(&Knot<F, N>, &Cubic<WithSlope<F, N>>, WithSlope<F, N>),
     ) {
         for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
             if next.joined {
@@ -356,21 +369,21 @@ impl<F: Float> SmoothedProfile<F> {
     }
 
     /// Smoothing length \[m\].
-    pub(super) fn smoothing(&self) -> WithSlope<F> {
+    pub(super) fn smoothing(&self) -> WithSlope<F, N> {
         self.seen(self.length)
     }
 
-    pub(super) fn seen(&self, x: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn seen(&self, x: WithSlope<F, N>) -> WithSlope<F, N> {
         if self.still { WithSlope::from_base(x.value) } else { x }
     }
 
     /// Place, height above the lowest point, and slope of a knot.
-    pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F>) -> [WithSlope<F>; 3] {
+    pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F, N>) -> [WithSlope<F, N>; 3] {
         [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
     }
 
     /// Height above the lowest point.
-    pub(super) fn at(&self, y: WithSlope<F>) -> WithSlope<F> {
+    pub(super) fn at(&self, y: WithSlope<F, N>) -> WithSlope<F, N> {
         let next = self.knots.partition_point(|knot| knot.y.value < y.value);
         let next = next.min(self.knots.len().saturating_sub(1)).max(1);
         match self.knots.get(next - 1..=next) {

@@ -24,32 +24,20 @@
 use super::axes::{Axes, with_moment};
 use super::groups::Overlaps;
 use super::line_of_contact::Turn;
-use super::roller::{Over, Roller};
 use super::touch::Gap;
-use super::{
-    KSTRIP_CONTACTS_CAPACITY, KSTRIP_SURFACE_CAPACITY, Position, Velocity, WheelPair, dot,
-    sine_cosine,
-};
+use super::view::View;
+use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine};
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
-use crate::normal::cells::Given;
-use crate::normal::parabola::STEPS;
+use crate::normal::Indentation;
+use crate::normal::cells::Cells;
 use crate::normal::smooth::SmoothedProfile;
-use crate::normal::{Indentation, Profile, ProfileContact};
+use crate::number::dual::Dual;
 use crate::number::{Float, are_finite, length};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
+use heapless::Vec;
 
-/// Height above the lowest point of points that tell how far apart points are \[m\].
-const LOW: f64 = 1e-4;
-/// Distance of the surfaces from which points do not count, over the smoothing length, and at most
-/// \[m\].
-const FADES: f64 = 0.5;
-const REACH: f64 = 1e-3;
-/// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
-const MARGIN: f64 = 3.0;
-/// Upper bound of the angles of a gap \[rad\].
-const STEEPEST: f64 = 1.6;
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
 /// Turns \[rad\] up to which strips have the mean of their slip, and from which most of it is their
@@ -212,7 +200,7 @@ impl<F: Float> WheelContact<F> {
     }
 
     /// Fills the contact from strips along the rail.
-    fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
+    pub(super) fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
         let (zero, one) = (F::zero(), F::one());
         self.patch = *strips;
@@ -293,126 +281,6 @@ impl<F: Float> WheelContact<F> {
     }
 }
 
-/// Distance of the surfaces from which points do not count, for their distance along the rail and
-/// the smoothing length \[m\].
-fn counting<F: Float>(step: F, smoothing: F) -> F {
-    let length = step.times(STEPS).squared() + smoothing.squared();
-    length.sqrt().times(FADES).min(F::of(REACH))
-}
-
-/// Distance of the surfaces from which points have no effect, at most: some points beyond the last
-/// one that counts are needed, because the smoothing length follows from their spacing \[m\].
-pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
-    counting(step, smoothing) + step.times(MARGIN)
-}
-
-/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror
-/// image of a left one.
-struct View<'a, F> {
-    lists: [&'a [F]; 7],
-    pair: &'a WheelPair<F>,
-    position: Position<F>,
-}
-
-impl<'a, F: Float> View<'a, F> {
-    fn new(gap: &'a Gap<F>, pair: &'a WheelPair<F>, position: &Position<F>) -> Result<Self, Error> {
-        pair.check()?;
-        position.check()?;
-        let position = position.mirrored(pair.left != 0);
-        let count = gap.count as usize;
-        if count > KSTRIP_SURFACE_CAPACITY {
-            return Err(Error::Capacity);
-        }
-        let lists = gap.lists().map(|list| list.get(..count).unwrap_or(&[]));
-        let [along, .., angle, rolling_radius] = lists;
-        if !lists.into_iter().all(are_finite) {
-            return Err(Error::NotFinite);
-        }
-        if rolling_radius.iter().any(|radius| *radius <= F::zero()) {
-            return Err(Error::RollingRadius);
-        }
-        let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
-        let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
-        if ascends && upright { Ok(Self { lists, pair, position }) } else { Err(Error::Profile) }
-    }
-
-    /// The members of the gap at a place, straight between the points.
-    fn at(&self, place: F) -> [F; 7] {
-        let [along, ..] = self.lists;
-        let last = along.len().saturating_sub(1);
-        let next = along.partition_point(|along| *along < place).min(last).max(1);
-        let of = |list: &[F]| [next - 1, next].map(|k| list.get(k).copied().unwrap_or(F::zero()));
-        let [from, to] = of(along);
-        let share = ((place - from) / (to - from + F::TINY)).clamped(F::zero(), F::one());
-        self.lists.map(|list| {
-            let [from, to] = of(list);
-            from + (to - from) * share
-        })
-    }
-
-    /// Where a point of the wheel is over the rail.
-    fn over(&self, x: F, z: F) -> Over<F> {
-        Roller::new(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
-    }
-
-    /// The distance between points where the surfaces are near \[m\]: the mean over the points that
-    /// are less than 0.1 mm above the lowest, so that it is continuous while points come and go.
-    fn step(&self) -> F {
-        let [along, distance, ..] = self.lists;
-        let lowest = distance.iter().fold(F::LARGEST, |lowest, distance| lowest.min(*distance));
-        let [mut weights, mut step] = [F::zero(); 2];
-        for (k, (&here, &distance)) in along.iter().zip(distance).enumerate() {
-            let before = k.checked_sub(1).and_then(|k| along.get(k)).unwrap_or(&here);
-            let half = (*along.get(k + 1).unwrap_or(&here) - *before).times(0.5);
-            let rest = (F::one() - (distance - lowest).times(1.0 / LOW)).max(F::zero());
-            let weight = rest * rest * half;
-            weights += weight;
-            step += weight * half;
-        }
-        step / (weights + F::TINY)
-    }
-
-    /// The distance of the surfaces as a profile. None for a gap without points.
-    fn profile(&self) -> Result<Option<Profile<'a, F>>, Error> {
-        let [along, distance, x, .., rolling_radius] = self.lists;
-        if along.len() < 2 {
-            return Ok(None);
-        }
-        let step = self.step();
-        let none = counting(step, self.pair.smoothing_length);
-        Profile::new(along, distance)?
-            .of_surfaces(step, [none.times(0.5), none])
-            .with_centre_x(x)?
-            .with_rolling_radius(rolling_radius)
-            .map(Some)
-    }
-
-    /// The strips of a part of the curve at the approach at which the surfaces overlap as they do.
-    fn press(
-        &self,
-        profile: &Profile<F>,
-        curve: &SmoothedProfile<F>,
-        depth: F,
-        count: StripCount,
-        strips: &mut StoredPatch<F>,
-    ) -> Result<Indentation<F>, Error> {
-        let WheelPair { shear_modulus, poisson_ratio, smoothing_length, .. } = *self.pair;
-        strips.clear(shear_modulus, poisson_ratio);
-        let contact = ProfileContact {
-            rolling_radius: self.pair.wheel_radius,
-            given: Given::Approach(depth),
-            shear_modulus,
-            poisson_ratio,
-            // (each strip gets that of its place on the rail)
-            friction: F::zero(),
-            smoothing_length,
-        };
-        let take = |strip| strips.push(strip);
-        let found = Indentation::of_surfaces(profile, curve, &contact, count, take)?;
-        if found.warning == Warning::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
-    }
-}
-
 /// The result of [`from_gap`].
 #[derive(Clone, Copy, Debug)]
 pub struct ContactCount {
@@ -443,13 +311,16 @@ pub fn from_gap<F: Float>(
     let view = View::new(gap, pair, position)?;
     let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
-    let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
+    let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
     let mut zones = Overlaps::new();
-    curve.overlaps(|zone| zones.push(zone));
+    curve.overlaps(|own| own.value, |zone| zones.push(zone));
+    let mut cells = Cells { list: Vec::new() };
     found.apart = zones.apart() as u32;
     for group in &zones.groups()? {
         curve.restrict(&group.whole);
-        let pressed = view.press(&profile, &curve, group.whole.depth, count, strips)?;
+        let approach = Dual::input(group.whole.depth, 0);
+        let mut pressed = view.press(&profile, &curve, approach, count, &mut cells)?;
+        view.strips(&cells, |own| own.value, &mut pressed, strips)?;
         if strips.count == 0 {
             continue;
         }

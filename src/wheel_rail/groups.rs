@@ -28,7 +28,7 @@ use heapless::Vec;
 
 /// Free length between zones up to which they are one contact \[m\], and from which they do not
 /// depend on each other.
-const ONE_CONTACT: f64 = 4e-3;
+pub(super) const ONE_CONTACT: f64 = 4e-3;
 const APART: f64 = 8e-3;
 /// Largest depth of a weak zone over that of the deepest zone.
 const WEAK: f64 = 0.3;
@@ -57,7 +57,7 @@ pub(super) struct Group<F> {
     /// More than 0, at most 1.
     pub share: F,
     /// Numbers of its first and its last zone.
-    zones: [usize; 2],
+    pub zones: [usize; 2],
 }
 
 /// A zone where zones are grouped: its place, counted in free length, and whether it is strong.

@@ -20,20 +20,19 @@
 use super::roller::Roller;
 use super::surface::CurvePoint;
 use super::{Position, WheelPair, sine_cosine};
-use crate::number::{Float, Strips};
+use crate::number::{Arithmetic, Float, Strips};
 
 /// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
 const STEEPEST: f64 = 0.06;
 const FARTHEST: f64 = 0.9;
 /// Bounds of the rolling radius over `r/cos α`.
-const LEAST_FACTOR: f64 = 0.2;
-const LARGEST_FACTOR: f64 = 5.0;
+pub(super) const FACTORS: [f64; 2] = [0.2, 5.0];
 
 /// Sines and cosines of the roll and the yaw of a wheel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Turn<F> {
     roll: (F, F),
-    yaw: (F, F),
+    pub yaw: (F, F),
 }
 
 impl<F: Float> Turn<F> {
@@ -43,15 +42,26 @@ impl<F: Float> Turn<F> {
 
     /// Turns vectors side by side from the wheelset's axes to the track's: by yaw, then by roll.
     #[inline(always)]
-    pub fn to_track<P: Strips<F>>(self, [x, y, z]: [P; 3]) -> [P; 3] {
-        let [sin_roll, cos_roll] = [self.roll.0, self.roll.1].map(P::all);
-        let [sin_yaw, cos_yaw] = [self.yaw.0, self.yaw.1].map(P::all);
+    pub fn to_track<P: Strips<F>>(self, vectors: [P; 3]) -> [P; 3] {
+        self.turned(vectors, P::all)
+    }
+
+    /// The same of numbers that `of` makes of plain ones.
+    #[inline(always)]
+    fn turned<P: Arithmetic>(self, [x, y, z]: [P; 3], of: impl Fn(F) -> P) -> [P; 3] {
+        let [sin_roll, cos_roll] = [self.roll.0, self.roll.1].map(&of);
+        let [sin_yaw, cos_yaw] = [self.yaw.0, self.yaw.1].map(of);
         let across = sin_yaw * x + cos_yaw * y;
         [
             cos_yaw * x - sin_yaw * y,
             cos_roll * across - sin_roll * z,
             sin_roll * across + cos_roll * z,
         ]
+    }
+
+    /// The same of one vector.
+    pub fn vector_to_track(self, vector: [F; 3]) -> [F; 3] {
+        self.turned(vector, |own| own)
     }
 
     /// Turns a vector from the track's axes to the wheelset's.
@@ -160,7 +170,7 @@ impl<F: Float> Wheel<F> {
         let radius = (P::all(self.radius) + z) * size * per_cosine;
         let square = (P::all(self.turn.yaw.0) * size * per_cosine).squared();
         let more = square * (curvature * radius - P::one());
-        let curved = more.plus(1.0).max(P::constant(1.0 / LARGEST_FACTOR));
-        radius * curved.min(P::constant(1.0 / LEAST_FACTOR)).inverse()
+        let curved = more.plus(1.0).max(P::constant(1.0 / FACTORS[1]));
+        radius * curved.min(P::constant(1.0 / FACTORS[0])).inverse()
     }
 }

@@ -29,14 +29,17 @@ mod groups;
 mod height;
 mod knots;
 mod line_of_contact;
+mod moves;
 mod plausibility;
 mod prepare;
 mod roller;
 pub mod scene;
 mod spine;
+mod steps;
 pub mod surface;
 pub mod touch;
 mod under;
+mod view;
 pub mod wrench;
 
 use crate::number::{Float, are_finite};

@@ -2,21 +2,22 @@
 
 use super::contacts::{self, WheelContact};
 use super::plausibility;
+use super::steps::Steps;
 use super::surface::Surface;
-use super::touch::{Gap, REACH, touch_of_pair};
+use super::touch::{Gap, touch_of_pair};
+use super::view;
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 use crate::contact::totals::StripCount;
-use crate::number::Float;
+use crate::number::{Float, add};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
+use core::slice::from_ref;
 
-/// Steps of the differences to one side with respect to the members of a position \[m, rad\].
-const STEPS: [f64; 4] = [1e-9, 3e-10, 1e-8, 1e-9];
-/// Largest step of the central differences of single precision, and the largest share of the
-/// overlap.
-const SINGLE_STEP: f64 = 15e-6;
-const SINGLE_SHARE: f64 = 0.5;
+/// Creepage from which forces are no longer those of the linear theory, and speed below which a
+/// wheel is nearly at rest \[m/s\].
+const CREEPAGE: f64 = 1e-3;
+const SLOW: f64 = 0.02;
 
 /// The members of a position.
 const fn members<F>() -> [fn(&mut Position<F>) -> &mut F; 4] {
@@ -25,6 +26,18 @@ const fn members<F>() -> [fn(&mut Position<F>) -> &mut F; 4] {
 
 fn is_single<F: Float>() -> bool {
     F::EPSILON > F::of(1e-10)
+}
+
+/// Central differences of a wrench over a step.
+fn differences<F: Float>(
+    step: F,
+    mut at: impl FnMut(F) -> Result<Wrench<F>, Error>,
+) -> Result<[F; 6], Error> {
+    let mut slopes = at(step)?.members();
+    for (slope, behind) in slopes.iter_mut().zip(at(-step)?.members()) {
+        *slope = (*slope - behind) / step.times(2.0);
+    }
+    Ok(slopes)
 }
 
 /// Memory of the caller for the computation of one wheel. It may hold anything before a call. After
@@ -82,7 +95,7 @@ impl<F: Float> Scene<'_, F> {
         let Self { rail, wheel, pair, .. } = *self;
         pair.check()?;
         let right = position.mirrored(pair.left != 0);
-        let reach = contacts::reach(wheel.step, pair.smoothing_length).min(F::of(REACH));
+        let reach = view::reach(wheel.step, pair.smoothing_length);
         touch_of_pair(rail, wheel, pair, &right, reach, gap)
     }
 
@@ -130,26 +143,23 @@ impl<F: Float> Scene<'_, F> {
         let Some(slopes) = by_position else {
             return self.wrench(position, velocity, memory, derivatives);
         };
-        let steps = self.steps_of_differences(position, memory)?;
-        for ((column, member), step) in slopes.columns().into_iter().zip(members()).zip(steps) {
-            let mut at = |step: F| {
-                let mut moved = *position;
-                *member(&mut moved) += step;
-                self.wrench(&moved, velocity, memory, None).map(|found| found.members())
-            };
-            *column = at(step)?;
-            if is_single::<F>() {
-                for (above, below) in column.iter_mut().zip(at(-step)?) {
-                    *above = (*above - below).times(0.5);
-                }
+        let none = [F::zero(); 6];
+        *slopes = WrenchByPosition { lateral: none, vertical: none, yaw: none, roll: none };
+        let is_straight = self.pair.rail_radius <= F::zero();
+        if !is_straight {
+            let step = F::of(if is_single::<F>() { 15e-6 } else { 1e-7 });
+            let members = members::<F>();
+            for (column, member) in slopes.columns().into_iter().zip(members) {
+                *column = differences(step, |step| {
+                    let mut moved = *position;
+                    *member(&mut moved) += step;
+                    self.wrench(&moved, velocity, memory, None)
+                })?;
             }
         }
         let found = self.wrench(position, velocity, memory, derivatives)?;
-        for (column, step) in slopes.columns().into_iter().zip(steps) {
-            for (slope, here) in column.iter_mut().zip(found.members()) {
-                let rise = if is_single::<F>() { *slope } else { *slope - here };
-                *slope = rise / step;
-            }
+        if is_straight && found.contacts > 0 {
+            self.differentiate(position, velocity, memory, &found, slopes)?;
         }
         Ok(found)
     }
@@ -162,40 +172,52 @@ impl<F: Float> Scene<'_, F> {
         velocity: &Velocity<F>,
         memory: &mut Workspace<F>,
     ) -> Result<[F; 6], Error> {
-        let mut slopes = [F::zero(); 6];
-        if self.pair.rail_radius > F::zero() {
-            let step = F::of(if is_single::<F>() { 1e-4 } else { 1e-5 });
-            for sign in [F::one(), -F::one()] {
-                let rail_ahead = self.pair.rail_ahead + sign * step;
-                let pair = WheelPair { rail_ahead, ..*self.pair };
-                let moved = Scene { pair: &pair, ..*self };
-                let found = moved.wrench(position, velocity, memory, None)?;
-                for (slope, force) in slopes.iter_mut().zip(found.members()) {
-                    *slope += sign * force / step.times(2.0);
-                }
-            }
+        if self.pair.rail_radius <= F::zero() {
+            return Ok([F::zero(); 6]);
         }
-        Ok(slopes)
+        differences(F::of(if is_single::<F>() { 1e-4 } else { 1e-5 }), |step| {
+            let pair = WheelPair { rail_ahead: self.pair.rail_ahead + step, ..*self.pair };
+            Scene { pair: &pair, ..*self }.wrench(position, velocity, memory, None)
+        })
     }
 
-    /// The steps of the differences. A load grows with the overlap `δ` to the power 3/2, so that
-    /// central differences with the step `d` are off by `d²/(24 δ²)`, and those to one side by
-    /// `d/(4 δ)`.
-    fn steps_of_differences(
+    /// Adds the derivatives of a wrench by the position: exact ones of the distance of the surfaces
+    /// and of the strips; those of frames, creepages and creep forces by differences to one side,
+    /// in single precision to both.
+    #[inline(never)]
+    fn differentiate(
         &self,
         position: &Position<F>,
+        velocity: &Velocity<F>,
         memory: &mut Workspace<F>,
-    ) -> Result<[F; 4], Error> {
-        if !is_single::<F>() {
-            // (those of a left wheel are mirrored)
-            let [lateral, vertical, yaw, roll] = STEPS.map(F::of);
-            let side = if self.pair.left != 0 { -F::one() } else { F::one() };
-            return Ok([side * lateral, vertical, side * yaw, side * roll]);
+        found: &Wrench<F>,
+        slopes: &mut WrenchByPosition<F>,
+    ) -> Result<(), Error> {
+        let Workspace { gap, strips, contacts, .. } = memory;
+        let [mut contact, ..] = *contacts;
+        let slip = found.dissipation / (found.normal_force + F::TINY);
+        let speed = velocity.forward.abs().plus(SLOW);
+        let creepage = (slip / speed).times(3.0).plus(CREEPAGE);
+        let mut columns = slopes.columns();
+        let (sides, here) =
+            if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
+        let Self { rail, pair, strips: count, law, .. } = *self;
+        let steps = Steps { rail, pair, position, strips: count, creepage, sides };
+        let steps = steps.contacts(gap, strips, &mut contact, |direction, step, contact| {
+            let moved = wrench::of_contacts(from_ref(contact), velocity, law, None)?.members();
+            let moved = moved.map(|own| if step > F::zero() { own } else { -own });
+            if let Some(column) = columns.get_mut(direction) {
+                add(&mut column[..], moved);
+            }
+            Ok(())
+        })?;
+        for (column, step) in columns.into_iter().zip(steps) {
+            let step = step * F::widened(sides as f32);
+            for (slope, here) in column.iter_mut().zip(here) {
+                *slope = (*slope - here) / step;
+            }
         }
-        let least = self.touch(position, &mut memory.gap)?;
-        let largest = F::of(SINGLE_STEP);
-        let of_overlap = (-least).times(SINGLE_SHARE).max(largest.times(1e-3));
-        Ok([if least < F::zero() { of_overlap.min(largest) } else { largest }; 4])
+        Ok(())
     }
 }
 

@@ -126,6 +126,22 @@ impl<F: Float> Surface<F> {
         from + (to - from) * share
     }
 
+    /// Whether the curve ends at a length from its first point, so close in steps.
+    pub(super) fn ends_at(&self, length: F, close: F) -> bool {
+        let steps = length / self.step;
+        let last = F::widened(self.count.saturating_sub(1) as f32);
+        steps <= close || steps >= last - close
+    }
+
+    /// The curve at a length from its first point, as a function of the length in steps.
+    pub(super) fn along(&self, length: F) -> [Along<F>; 2] {
+        let steps = length / self.step;
+        let k = (steps.whole().max(0) as usize).min((self.count as usize).saturating_sub(2));
+        let none = CurvePoint { y: F::zero(), z: F::zero(), cosine: F::one(), sine: F::zero() };
+        let [from, to] = [k, k + 1].map(|k| self.point(k).unwrap_or(none));
+        Piece::new(from, to, self.step).at(steps - F::widened(k as f32))
+    }
+
     /// The place of the curve at a share of the way from a point to the next; none past the last
     /// point.
     #[inline(always)]

@@ -48,6 +48,9 @@ pub struct Gap<F> {
     /// roller the curvatures of both add up, and angle and distance are those in the plane through
     /// the roller's axis and the point.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
+    /// Distance of the wheel's points \[m\], >= 0, over 2.5 of which surfaces are smoothed at
+    /// least; 0: that of the gap's points where the surfaces are near.
+    pub step: F,
     /// Number of points.
     pub count: u32,
     /// Reserved: zero.
@@ -288,7 +291,7 @@ fn search<F: Float>(
         above.look(&places(first));
     }
     gap.count = count as u32;
-    gap.reserved = 0;
+    (gap.step, gap.reserved) = (wheel.step, 0);
     Ok(least)
 }
 

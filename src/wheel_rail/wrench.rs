@@ -57,8 +57,7 @@ pub struct WrenchDerivatives<F> {
     pub friction: [F; 6],
 }
 
-/// Derivatives of the wrench with respect to the wheel's position at constant velocity: differences
-/// of complete computations.
+/// Derivatives of the wrench with respect to the wheel's position at constant velocity.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WrenchByPosition<F> {

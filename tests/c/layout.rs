@@ -41,7 +41,7 @@ layouts! {
     kstrip_patch_summary { normal_force, friction_bound, area, lobes, reserved }
     kstrip_surface { y, z, cosine, sine, step, spacing, count, form }
     kstrip_wheel_position { lateral, vertical, yaw, roll }
-    kstrip_gap { along, distance, x, y, z, angle, rolling_radius, count, reserved }
+    kstrip_gap { along, distance, x, y, z, angle, rolling_radius, step, count, reserved }
     kstrip_wheel_pair { wheel_radius, shear_modulus, poisson_ratio, friction, friction_y,
         friction_at, friction_points, left, smoothing_length, strips, model, normal_damping,
         floor_speed, rail_radius, rail_ahead, rail_speed }

@@ -8,6 +8,7 @@ use crate::wheel_rail::profile;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
+use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, WrenchByPosition};
 use kstrip::wheel_rail::{Position, Velocity};
 
@@ -20,19 +21,55 @@ fn moved(position: &Position<f64>, k: usize, step: f64) -> Position<f64> {
     moved
 }
 
-/// Differences to both sides with h and h/2, extrapolated, and how far both are apart.
+/// Differences to both sides with h and h/2, extrapolated, and how far both are apart, or those to
+/// one side from those to the other: where there is a kink between, they converge too.
 fn differences(at: &mut dyn FnMut(f64) -> Option<Members>, h: f64) -> Option<(Members, Members)> {
-    let mut central = |h: f64| {
-        let (ahead, behind) = (at(h)?, at(-h)?);
-        Some(std::array::from_fn::<f64, 6, _>(|i| (ahead[i] - behind[i]) / (2.0 * h)))
-    };
-    let (d1, d2) = (central(h)?, central(h / 2.0)?);
-    let found = std::array::from_fn(|i| (4.0 * d2[i] - d1[i]) / 3.0);
-    Some((found, std::array::from_fn(|i| (d2[i] - d1[i]).abs())))
+    let here = at(0.0)?;
+    let [[a1, b1], [a2, b2]] = [[at(h)?, at(-h)?], [at(0.5 * h)?, at(-0.5 * h)?]];
+    let central = |i: usize| [(a1[i] - b1[i]) / (2.0 * h), (a2[i] - b2[i]) / h];
+    let found = std::array::from_fn(|i| (4.0 * central(i)[1] - central(i)[0]) / 3.0);
+    let doubt = std::array::from_fn(|i| {
+        let [d1, d2] = central(i);
+        let [ahead, behind] =
+            [(a2, a1), (b2, b1)].map(|(near, far)| (4.0 * near[i] - 3.0 * here[i] - far[i]) / h);
+        (d2 - d1).abs().max((ahead + behind).abs())
+    });
+    Some((found, doubt))
 }
 
-/// Random wheels at random positions and velocities: of each column the largest error over its
-/// largest entry, where the differences converge.
+/// Of each column of the derivatives the largest error over its largest entry; none where the
+/// differences do not converge.
+fn errors(
+    scene: &Scene<f64>,
+    position: &Position<f64>,
+    velocity: &Velocity<f64>,
+    memory: &mut Workspace<f64>,
+) -> [Option<f64>; 4] {
+    let mut slopes = WrenchByPosition::default();
+    scene.solve(position, velocity, memory, None, Some(&mut slopes)).unwrap();
+    let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
+    let columns = [lateral, vertical, yaw, roll];
+    std::array::from_fn(|k| {
+        let mut at = |step: f64| {
+            let found = scene.solve(&moved(position, k, step), velocity, memory, None, None);
+            found.ok().map(|wrench| wrench.members())
+        };
+        let largest = |list: Members| list.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let best = [1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9]
+            .map(|h| if k == 2 { 10.0 * h } else { h })
+            .into_iter()
+            .filter_map(|h| differences(&mut at, h))
+            .map(|(found, doubt)| (largest(doubt) / largest(found), found))
+            .min_by(|one, other| one.0.total_cmp(&other.0));
+        let (_, found) = best.filter(|(doubt, _)| *doubt < 1e-5)?;
+        let off = std::array::from_fn(|i| columns[k][i] - found[i]);
+        Some(largest(off) / largest(found))
+    })
+}
+
+/// Random wheels at random positions and velocities, where the differences converge. (Of one in ten
+/// the error is larger: those of a column that is small because much cancels, and differences over
+/// a kink that do converge.)
 #[test]
 fn derivatives_by_position_are_those_of_differences() {
     let mut random = Random::new(5);
@@ -40,7 +77,7 @@ fn derivatives_by_position_are_those_of_differences() {
     let wheels = WHEELS.map(|name| profile(name, 0.0));
     let pair = steel(0.46);
     let mut memory = zeroed::<Workspace<f64>>();
-    let mut errors = [const { Vec::<f64>::new() }; 4];
+    let mut all = [const { Vec::<f64>::new() }; 4];
     let mut kinks = 0;
     for _ in 0..60 {
         let rail = &rails[random.bits() as usize % rails.len()];
@@ -64,40 +101,44 @@ fn derivatives_by_position_are_those_of_differences() {
             continue;
         };
         let position = Position { vertical, ..position };
-        let mut slopes = WrenchByPosition::default();
-        scene.solve(&position, &velocity, &mut memory, None, Some(&mut slopes)).unwrap();
-        let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
-        for (k, column) in [lateral, vertical, yaw, roll].into_iter().enumerate() {
-            let mut at = |step: f64| {
-                let found =
-                    scene.solve(&moved(&position, k, step), &velocity, &mut memory, None, None);
-                found.ok().map(|wrench| wrench.members())
-            };
-            let best = [1e-6, 3e-7, 1e-7, 3e-8]
-                .into_iter()
-                .filter_map(|h| differences(&mut at, h))
-                .map(|(found, doubt)| {
-                    let size = found.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-                    let doubt = doubt.iter().fold(0.0, |most: f64, x| most.max(x.abs())) / size;
-                    (doubt, found, size)
-                })
-                .min_by(|one, other| one.0.total_cmp(&other.0));
-            let Some((_, found, size)) = best.filter(|(doubt, ..)| *doubt < 1e-5) else {
-                kinks += 1;
-                continue;
-            };
-            let off = column
-                .iter()
-                .zip(found)
-                .fold(0.0, |most: f64, (own, found)| most.max((own - found).abs() / size));
-            errors[k].push(off);
+        for (all, off) in all.iter_mut().zip(errors(&scene, &position, &velocity, &mut memory)) {
+            all.extend(off);
+            kinks += usize::from(off.is_none());
         }
     }
-    for (name, mut errors) in ["lateral", "vertical", "yaw", "roll"].into_iter().zip(errors) {
+    for (name, mut errors) in ["lateral", "vertical", "yaw", "roll"].into_iter().zip(all) {
         errors.sort_by(f64::total_cmp);
         let at = |share: f64| errors[((errors.len() - 1) as f64 * share) as usize];
-        assert!(errors.len() > 40 && at(0.5) < 2e-6 && at(1.0) < 2e-4, "{name}: {errors:?}");
+        assert!(errors.len() > 40 && at(0.9) < 1e-6 && at(1.0) < 2e-5, "{name}: {errors:?}");
         println!("{name}: {} {:.1e} {:.1e} {:.1e}", errors.len(), at(0.5), at(0.9), at(1.0));
     }
     println!("kinks {kinks}");
+    assert!(kinks < 4);
+}
+
+/// Two bottoms so far apart that both are one contact and two, each by a share, which changes as
+/// the wheel moves. (As it moves across, one contact rises and the other falls, so that most of the
+/// column cancels.)
+#[test]
+fn derivatives_by_position_follow_the_shares_of_contacts() {
+    let y: [f64; 200] = std::array::from_fn(|i| (i as f64 - 99.5) * 100e-6);
+    let (mut rail, mut wheel) = (zeroed::<Surface<f64>>(), zeroed::<Surface<f64>>());
+    rail.prepare(&y, &y.map(|y| y * y / 0.6), 0.0, 0.0).unwrap();
+    let bumps = y.map(|y| -(180e-6 + 0.008 * y) * ((y / 3.5e-3).powi(2) - 1.0).powi(2));
+    wheel.prepare(&y, &bumps, 0.0, 0.0).unwrap();
+    let pair = steel(0.46);
+    let law = Law { model: Model::Strip, falling: None };
+    let (rail, wheel) = (&*rail, &*wheel);
+    let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let mut memory = zeroed::<Workspace<f64>>();
+    for (lateral, load) in [(1e-5, 30e3), (-4e-5, 45e3), (2e-5, 20e3)] {
+        let position = Position { lateral, vertical: 0.0, yaw: 0.002, roll: 1e-4 };
+        let (vertical, _) = scene.height_for_load(&position, load, None, &mut memory).unwrap();
+        let position = Position { vertical, ..position };
+        let velocity = Velocity { forward: 20.0, pitch: -43.4, ..Velocity::default() };
+        let found = errors(&scene, &position, &velocity, &mut memory);
+        println!("{found:?} {:?}", memory.found().iter().map(|one| one.share).collect::<Vec<_>>());
+        assert!(memory.found().iter().any(|one| one.share > 0.0 && one.share < 1.0));
+        assert!(found.iter().all(|off| off.is_some_and(|off| off < 2e-5)), "{found:?}");
+    }
 }

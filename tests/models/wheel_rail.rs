@@ -8,7 +8,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::friction::SlipFriction;
 use kstrip::status::{Error, Warning};
-use kstrip::wheel_rail::contacts::WheelContact;
+use kstrip::wheel_rail::contacts::{WheelContact, from_gap};
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::touch::{Gap, touch};
@@ -288,6 +288,32 @@ fn the_rolling_radius_of_a_yawed_wheel_is_that_of_its_line_of_contact() {
         }
     }
     assert!(compared > 300 && farthest > 1.3, "{compared} {farthest}");
+}
+
+/// A gap of a host that says nothing of the wheel's points has the contacts of one that does; its
+/// own points are as far apart where the surfaces are near.
+#[test]
+fn a_gap_without_a_step_has_that_of_its_points() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(-1e-3, 80e3);
+    let Stand { pair, memory, .. } = &mut stand;
+    let Workspace { gap, strips, contacts, .. } = &mut **memory;
+    let mut found = |gap: &Gap<f64>| {
+        let count = StripCount::Sixteen;
+        from_gap(gap, pair, &position, count, strips, contacts).map(|_| contacts[0].normal_force)
+    };
+    let whole = found(gap).unwrap();
+    let step = gap.step;
+    gap.step = 0.0;
+    let own = found(gap).unwrap();
+    gap.step = 1.5 * step;
+    let wider = found(gap).unwrap();
+    assert!((own / whole - 1.0).abs() < 1e-4, "{own} for {whole} N");
+    assert!((wider / whole - 1.0).abs() > 1e-4, "{wider} for {whole} N");
+    gap.step = -step;
+    assert_eq!(found(gap), Err(Error::SmoothingLength));
+    gap.step = f64::NAN;
+    assert_eq!(found(gap), Err(Error::NotFinite));
 }
 
 /// A left wheel is a right one in the mirror, to the bit.

@@ -274,6 +274,7 @@ class Gap(Record, name="gap"):
     z = Numbers('m', "z of this point [m], about the wheel's radius.")
     angle = Numbers('rad', 'Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about -1.2 at the flange of a right wheel.')
     rolling_radius = Numbers('m', "Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the axle divided by the cosine of the angle between normal and radius. A wheel that yaws has R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 - dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a roller the curvatures of both add up, and angle and distance are those in the plane through the roller's axis and the point.")
+    step = Numbers('m', "Distance of the wheel's points [m], >= 0, over 2.5 of which surfaces are smoothed at least; 0: that of the gap's points where the surfaces are near.")
     count = Integers('', 'Number of points.')
 
 
@@ -366,7 +367,7 @@ class WheelWorkspace(Record, name="wheel_workspace"):
 
 
 class WrenchByPosition(Record, name="wrench_by_position"):
-    """Derivatives of the wrench with respect to the wheel's position at constant velocity: differences of complete computations."""
+    """Derivatives of the wrench with respect to the wheel's position at constant velocity."""
 
     lateral = Numbers('N, N m per m', 'With respect to the lateral position [N, N m per m].')
     vertical = Numbers('N, N m per m', 'With respect to the vertical position [N, N m per m].')

@@ -1,0 +1,18 @@
+//! Directions in which the points of a profile move.
+
+use core::fmt::Debug;
+
+/// Number of directions.
+pub(crate) const DIRECTIONS: usize = 4;
+/// Number of directions of the derivatives that numbers carry at once: on a microcontroller one,
+/// which takes the least memory.
+pub(crate) const TOGETHER: usize = if cfg!(target_os = "none") { 1 } else { DIRECTIONS };
+
+/// How points move.
+pub(crate) trait Moves<F>: Debug {
+    /// Derivatives of the place, the distance, the centre along `x` and the rolling radius of a
+    /// point.
+    fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
+    /// Derivatives of place and distance.
+    fn distance(&self, k: usize) -> [[F; TOGETHER]; 2];
+}

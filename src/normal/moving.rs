@@ -1,0 +1,239 @@
+//! The smoothed distance of two surfaces that move: its derivatives in some directions.
+
+use crate::normal::directions::{Moves, TOGETHER};
+use crate::normal::parabola::STEPS;
+use crate::normal::profile::{Profile, WithSlope};
+use crate::normal::smooth::{Knot, SmoothedProfile, low_level};
+use crate::number::avx::with_avx;
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float};
+use crate::numerics::parabola::NormalEquations;
+use core::cell::Cell;
+use heapless::Vec;
+
+/// A number with its derivatives.
+pub(crate) type Directed<F> = WithSlope<F, TOGETHER>;
+
+/// Points whose derivatives are kept while neighbouring knots need them.
+const KEPT: usize = 32;
+
+/// The number of a point, with the derivatives of its place and distance.
+type Kept<F> = (usize, [[F; TOGETHER]; 2]);
+
+/// A profile that moves, and a smoothing length.
+struct Moving<'a, F> {
+    profile: &'a Profile<'a, F>,
+    points: &'a dyn Moves<F>,
+    /// Distance from which a point does not count, above the lowest, and one over the distance over
+    /// which it fades.
+    none: F,
+    per_fade: F,
+    length: F,
+    kept: [Cell<Option<Kept<F>>>; KEPT],
+}
+
+impl<'a, F: Float> Moving<'a, F> {
+    #[inline(always)]
+    fn new(profile: &'a Profile<'a, F>, points: &'a dyn Moves<F>, length: F) -> Self {
+        let [full, none] = profile.fade.unwrap_or([F::zero(); 2]);
+        Self {
+            profile,
+            points,
+            none: none - profile.lowest,
+            per_fade: F::one() / (none - full),
+            length,
+            kept: [const { Cell::new(None) }; KEPT],
+        }
+    }
+
+    /// The place of a point, and its distance above the lowest point, which does not move.
+    #[inline(always)]
+    fn point(&self, k: usize) -> [Directed<F>; 2] {
+        let Profile { y, distance, lowest, .. } = self.profile;
+        let k = k.min(y.len().saturating_sub(1));
+        let kept = self.kept.get(k % KEPT);
+        let [moved, lifted] = match kept.and_then(Cell::get) {
+            Some((known, moves)) if known == k => moves,
+            _ => {
+                let moves = self.points.distance(k);
+                if let Some(kept) = kept {
+                    kept.set(Some((k, moves)));
+                }
+                moves
+            }
+        };
+        let at = |list: &[F]| list.get(k).copied().unwrap_or(F::zero());
+        [
+            Dual { value: at(y), gradient: moved },
+            Dual { value: at(distance) - *lowest, gradient: lifted },
+        ]
+    }
+
+    #[inline(always)]
+    fn place(&self, k: usize) -> Directed<F> {
+        let [place, _] = self.point(k);
+        place
+    }
+
+    /// As the [`parabola`](super::parabola) has it.
+    #[inline(always)]
+    fn spacing(&self, place: Directed<F>, next: usize) -> Directed<F> {
+        let last = self.profile.y.len().saturating_sub(1);
+        let next = next.min(last).max(1);
+        // from the point three before the next one to that two after it
+        let y: [_; 6] = core::array::from_fn(|k| self.place((next + k).saturating_sub(3)));
+        let gaps: [_; 5] = core::array::from_fn(|k| match y.get(k..k + 2) {
+            Some([from, to]) => *to - *from,
+            _ => Directed::zero(),
+        });
+        let of = |gaps: &[Directed<F>], middle: usize| {
+            let (mut squares, mut length) = (Directed::zero(), Directed::tiny());
+            for gap in gaps {
+                squares += gap.squared();
+                length += *gap;
+            }
+            let even = (squares / length).times(STEPS);
+            match gaps.get(middle..middle + 2) {
+                Some([before, after]) => even.max(after.max(*before).times(0.5 * STEPS)),
+                _ => even,
+            }
+        };
+        let [_, _, from, to, _, _] = y;
+        let [first, .., end] = gaps;
+        let (before, after) = match (gaps.get(..4), gaps.get(1..)) {
+            (Some(before), Some(after)) => (of(before, 1), of(after, 1)),
+            _ => (first, end),
+        };
+        before + (place - from) / (to - from) * (after - before)
+    }
+
+    /// Height and slope of the curve at a place.
+    #[inline(always)]
+    fn knot(&self, place: Directed<F>) -> [Directed<F>; 2] {
+        let (zero, one) = (Directed::zero(), Directed::one());
+        let smooth = |t: Directed<F>| t.squared() * (Directed::constant(3.0) - t.times(2.0));
+        let before = |y: F| self.profile.y.partition_point(|own| *own < y);
+        let next = before(place.value);
+        let spacing = self.spacing(place, next);
+        let length = spacing.squared().shift(self.length * self.length).sqrt();
+        let inverse = length.inverse();
+        let [begin, end] = [place.value - length.value, place.value + length.value].map(before);
+        let (mut m, mut s) = ([zero; 5], [zero; 3]);
+        for k in begin..end {
+            let [y, height] = self.point(k);
+            let x = (y - place) * inverse;
+            let width = self.place(k + 1) - self.place(k.saturating_sub(1));
+            let counts = (-height).shift(self.none).scale(self.per_fade);
+            // w = (1 − x²)³ width u² (3 − 2 u)
+            let rest = (F::one() - x.value * x.value).max(F::zero());
+            let u = counts.value.clamped(F::zero(), F::one());
+            let (share, rise) = (u * u * (F::of(3.0) - u.times(2.0)), (u - u * u).times(6.0));
+            let (square, wide) = (rest * rest, width.value * share);
+            let slopes = [
+                -(x.value * square * wide).times(6.0),
+                square * rest * share,
+                square * rest * width.value * rise,
+            ];
+            let weight = Directed::composed(square * rest * wide, slopes, [x, width, counts]);
+            // xʲ and its derivative
+            let (mut power, mut slope) = (F::one(), F::zero());
+            for (j, m) in m.iter_mut().enumerate() {
+                let value = weight.value;
+                let term = Directed::composed(value * power, [power, value * slope], [weight, x]);
+                *m += term;
+                if let Some(s) = s.get_mut(j) {
+                    *s += term * height;
+                }
+                (power, slope) = (power * x.value, slope * x.value + power);
+            }
+        }
+        let [m0, _, m2, _, m4] = &mut m;
+        let share = *m0 * inverse.times(35.0 / 64.0);
+        let ridge = Directed::from_base(F::EPSILON.sqrt().times(0.1));
+        let varies = (*m0 * *m4 - m2.squared()).max(zero) * m0.squared().inverse();
+        *m4 += *m0 * ridge.squared() * (varies + ridge).inverse();
+        let [height, slope, _] = NormalEquations::of_moments(m).coefficients(s);
+        let slope = slope * inverse;
+        // where hardly a point counts, the curve follows the points
+        let t = smooth(share.plus(-0.45).times(5.0).max(zero).min(one));
+        if t.value >= F::one() {
+            return [height, slope];
+        }
+        let next = next.min(self.profile.y.len().saturating_sub(1)).max(1);
+        let ([from, low], [to, high]) = (self.point(next - 1), self.point(next));
+        let above = low + (place - from) / (to - from) * (high - low);
+        if t.value > F::zero() { [above + (height - above) * t, slope * t] } else { [above, zero] }
+    }
+}
+
+impl<F: Float> Moving<'_, F> {
+    /// Derivatives of the logarithm of the length over which the profile is low.
+    fn stretch(&self) -> [F; TOGETHER] {
+        let inverse = F::one() / (low_level(self.profile) + F::TINY);
+        let mut length = Directed::tiny();
+        for k in 1..self.profile.y.len() {
+            let ([from, low], [to, high]) = (self.point(k - 1), self.point(k));
+            let height = (low + high).times(0.5).shift(self.profile.lowest);
+            let share = Directed::constant(2.0) - height.scale(inverse);
+            if share.value > F::zero() {
+                length += share.min(Directed::one()) * (to - from);
+            }
+        }
+        length.gradient.map(|rate| rate / length.value)
+    }
+}
+
+impl<F: Float> SmoothedProfile<F, TOGETHER> {
+    /// A curve of surfaces with the derivatives that it has as the points move.
+    #[inline(never)]
+    pub(crate) fn moving(
+        still: &SmoothedProfile<F, 1>,
+        profile: &Profile<F>,
+        points: &dyn Moves<F>,
+        length: F,
+    ) -> Self {
+        let [first, last] = profile.ends;
+        let length = length.min(last - first);
+        let of = |own: WithSlope<F, 1>| Directed::from_base(own.value);
+        let SmoothedProfile { zero, range, ends, is_wide, .. } = *still;
+        let [lowest, smoothing] = [still.lowest, still.length].map(of);
+        let knots = Vec::new();
+        let still_knots = &still.knots;
+        let still = false;
+        let mut curve =
+            Self { knots, lowest, zero, range, ends, length: smoothing, is_wide, still };
+        for Knot { y, height, slope, joined } in still_knots {
+            let [y, height, slope] = [*y, *height, *slope].map(of);
+            let _ = curve.knots.push(Knot { y, height, slope, joined: *joined });
+        }
+        curve.follow(profile, points, length);
+        curve
+    }
+
+    fn follow(&mut self, profile: &Profile<F>, points: &dyn Moves<F>, length: F) {
+        with_avx!(if 1 => <F: Float>(
+            curve: &mut SmoothedProfile<F, TOGETHER> = self,
+            profile: &Profile<F>,
+            points: &dyn Moves<F>,
+            length: F
+        ) -> () {
+            curve.follow_points(&Moving::new(profile, points, length))
+        })
+    }
+
+    #[inline(always)]
+    fn follow_points(&mut self, moving: &Moving<'_, F>) {
+        let Profile { ends, middle, y, .. } = moving.profile;
+        let stretch = if self.is_wide { moving.stretch() } else { [F::zero(); TOGETHER] };
+        for knot in &mut self.knots {
+            let place = knot.y.value;
+            knot.y.gradient = match ends.map(|end| end == place) {
+                [true, _] => moving.place(0).gradient,
+                [_, true] => moving.place(y.len()).gradient,
+                _ => stretch.map(|rate| rate * (place - *middle)),
+            };
+            let [height, slope] = moving.knot(knot.y);
+            (knot.height.gradient, knot.slope.gradient) = (height.gradient, slope.gradient);
+        }
+    }
+}

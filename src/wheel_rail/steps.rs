@@ -1,0 +1,183 @@
+//! The contacts of a wheel after small steps, for derivatives with respect to its
+//! position.
+//!
+//! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
+//! their exact derivatives; what follows from these is computed anew after each step.
+
+use super::contacts::WheelContact;
+use super::groups::{GROUPS, Group, ONE_CONTACT, Overlaps};
+use super::moves::PointMoves;
+use super::surface::Surface;
+use super::touch::Gap;
+use super::view::{self, View};
+use super::{Position, WheelPair};
+use crate::contact::totals::StripCount;
+use crate::normal::cells::Cells;
+use crate::normal::directions::{DIRECTIONS, TOGETHER};
+use crate::normal::moving::Directed;
+use crate::normal::smooth::SmoothedProfile;
+use crate::number::{Float, Number, length};
+use crate::patch::StoredPatch;
+use crate::status::Error;
+use heapless::Vec;
+
+/// Share by which overlap and shape change over a step, over the root of their rounding.
+const SMALL: f64 = 5.0;
+/// Change of a creepage over a step, over the root of the creepage's product with the rounding of a
+/// speed: the slip is a difference of speeds.
+const SMALL_SLIP: f64 = 1.4;
+
+/// Weight of the change of depths in the step of a share's difference.
+const DEEPER: f64 = 0.01;
+
+/// Steps from a position.
+pub(super) struct Steps<'a, F> {
+    pub rail: &'a Surface<F>,
+    pub pair: &'a WheelPair<F>,
+    pub position: &'a Position<F>,
+    pub strips: StripCount,
+    /// A creepage over which forces change by much.
+    pub creepage: F,
+    /// 1: to one side, 2: to both.
+    pub sides: usize,
+}
+
+impl<F: Float> Steps<'_, F> {
+    /// The contacts of a gap after a step of each member of the position, to first order. Hands
+    /// every contact to `take`, with the number of the member and the step; `strips` and `contact`
+    /// are memory. Returns the steps.
+    ///
+    /// # Errors
+    /// Those of [`from_gap`](super::contacts::from_gap).
+    pub fn contacts(
+        &self,
+        gap: &Gap<F>,
+        strips: &mut StoredPatch<F>,
+        contact: &mut WheelContact<F>,
+        mut take: impl FnMut(usize, F, &WheelContact<F>) -> Result<(), Error>,
+    ) -> Result<[F; DIRECTIONS], Error> {
+        let Self { rail, pair, position, creepage, sides, strips: count } = *self;
+        let view = View::new(gap, pair, position)?;
+        let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
+        let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
+        let steps = core::array::from_fn(|direction| view.step_in(&moves, direction, creepage));
+        for first in (0..DIRECTIONS).step_by(TOGETHER) {
+            let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
+            let mut moves = moves;
+            moves.first = first;
+            let Some(profile) = view.profile()? else { break };
+            let profile = profile.moving(&moves);
+            let curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
+            let mut curve =
+                SmoothedProfile::moving(&curve, &profile, &moves, pair.smoothing_length);
+            let mut zones = Overlaps::new();
+            curve.overlaps(|own| own.value, |zone| zones.push(zone));
+            let mut cells = Cells { list: Vec::new() };
+            let groups = zones.groups()?;
+            let mut rates = [[F::zero(); GROUPS]; TOGETHER];
+            for (direction, rates) in rates.iter_mut().enumerate() {
+                rates_of_shares(&curve, &groups, direction, rates)?;
+            }
+            for (number, group) in groups.iter().enumerate() {
+                curve.restrict(&group.whole);
+                let depth = curve.depth(&group.whole);
+                let mut pressed = view.press(&profile, &curve, depth, count, &mut cells)?;
+                for (direction, step) in steps.clone() {
+                    for step in [step, -step].into_iter().take(sides) {
+                        let of = |own: Directed<F>| {
+                            let moved = own.value + step * own.derivative(direction - first);
+                            let is_left = moved > F::zero() || own.value <= F::zero();
+                            if is_left { moved } else { own.value }
+                        };
+                        view.strips(&cells, of, &mut pressed, strips)?;
+                        if strips.count > 0 {
+                            let moved = view.moved(moves, direction, step);
+                            contact.fill(&moved, strips, &pressed);
+                            let rates = rates.get(direction - first);
+                            let rate = rates.and_then(|rates| rates.get(number));
+                            let rate = rate.copied().unwrap_or(F::zero());
+                            contact.share = (group.share + step * rate).max(F::zero());
+                            take(direction, step, contact)?;
+                        }
+                    }
+                }
+            }
+        }
+        Ok(steps)
+    }
+}
+
+/// Derivatives of the shares of groups in a direction, by one-sided differences of second order:
+/// their step changes free lengths and depths by little.
+fn rates_of_shares<F: Float>(
+    curve: &SmoothedProfile<F, TOGETHER>,
+    groups: &[Group<F>],
+    direction: usize,
+    rates: &mut [F; GROUPS],
+) -> Result<(), Error> {
+    if groups.iter().all(|group| group.share == F::one()) {
+        return Ok(());
+    }
+    let deepest = groups.iter().fold(F::TINY, |most, group| most.max(group.whole.depth));
+    let mut fastest = F::TINY;
+    let rate = |own: Directed<F>| own.derivative(direction);
+    curve.overlaps(rate, |zone| {
+        let [begin, end] = zone.ends.map(|end| end.abs().times(1.0 / ONE_CONTACT));
+        fastest = fastest.max(begin).max(end).max(zone.depth.times(DEEPER) / deepest);
+    });
+    let step = F::EPSILON.cube_root() / fastest;
+    // f' = (4 f(h) − f(2 h) − 3 f(0))/(2 h)
+    for (distance, weight) in [(step, 4.0), (step.times(2.0), -1.0)] {
+        let mut zones = Overlaps::new();
+        curve.overlaps(|own| own.value + distance * rate(own), |zone| zones.push(zone));
+        let moved = zones.groups()?;
+        for (rate, group) in rates.iter_mut().zip(groups) {
+            let moved = moved.iter().find(|moved| moved.zones == group.zones);
+            let share = moved.map_or(F::zero(), |moved| moved.share);
+            *rate += (share - group.share).times(0.5 * weight) / step;
+        }
+    }
+    Ok(())
+}
+
+impl<'a, F: Float> View<'a, F> {
+    /// The same after a step in a direction.
+    fn moved(&self, moves: PointMoves<'a, F>, direction: usize, step: F) -> Self {
+        let by = moves.direction(direction);
+        let Position { lateral, vertical, yaw, roll } = self.position;
+        let position = Position {
+            lateral: lateral + step * by.lateral,
+            vertical: vertical + step * by.vertical,
+            yaw: yaw + step * by.yaw,
+            roll: roll + step * by.roll,
+        };
+        Self { position, moved: Some((moves, direction, step)), ..*self }
+    }
+
+    /// The step of a direction: over it the numbers change by a small share, the creepage from an
+    /// initial one.
+    fn step_in(&self, moves: &PointMoves<F>, direction: usize, creepage: F) -> F {
+        let [_, distance, ..] = self.lists;
+        let lowest = lowest(distance);
+        let least = distance.get(lowest).copied().unwrap_or(F::zero());
+        let [along, lifted, x, _, z, ..] = moves.in_direction(lowest, direction);
+        let depth = (-least).max(F::of(1e-9));
+        let radius = self.pair.wheel_radius;
+        let Position { yaw, roll, vertical, .. } = moves.direction(direction);
+        let turns = yaw.abs() + roll.abs() + (z.abs() + vertical.abs()) / radius;
+        let creeps = turns / creepage.sqrt();
+        let deforms = lifted.abs() / depth + length(along, x) / (depth * radius).sqrt();
+        F::EPSILON.sqrt() / (deforms.times(1.0 / SMALL) + creeps.times(1.0 / SMALL_SLIP))
+    }
+}
+
+/// The number of the least of a list.
+fn lowest<F: Float>(list: &[F]) -> usize {
+    let (mut number, mut least) = (0, F::LARGEST);
+    for (k, own) in list.iter().enumerate() {
+        if *own < least {
+            (number, least) = (k, *own);
+        }
+    }
+    number
+}

@@ -1,0 +1,192 @@
+//! A gap for the normal problem: the distance of its surfaces as a profile, and its members at a
+//! place.
+
+use super::moves::{Lists, PointMoves};
+use super::roller::{Over, Roller};
+use super::touch::{self, Gap};
+use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
+use crate::contact::totals::StripCount;
+use crate::normal::cells::{Cells, Given};
+use crate::normal::parabola::STEPS;
+use crate::normal::smooth::SmoothedProfile;
+use crate::normal::{Indentation, Profile, ProfileContact};
+use crate::number::dual::Dual;
+use crate::number::{Float, are_finite};
+use crate::patch::StoredPatch;
+use crate::status::{Error, Warning};
+
+/// Height above the lowest point of points that tell how far apart points are \[m\].
+const LOW: f64 = 1e-4;
+/// Distance of the surfaces from which points do not count, over the smoothing length, and at most
+/// \[m\].
+const FADES: f64 = 0.5;
+const REACH: f64 = 1e-3;
+/// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
+const MARGIN: f64 = 3.0;
+/// Upper bound of the angles of a gap \[rad\].
+const STEEPEST: f64 = 1.6;
+
+/// Distance of the surfaces from which points do not count, for their distance along the rail and
+/// the smoothing length \[m\].
+fn counting<F: Float>(step: F, smoothing: F) -> F {
+    let length = step.times(STEPS).squared() + smoothing.squared();
+    length.sqrt().times(FADES).min(F::of(REACH))
+}
+
+/// Distance of the surfaces from which points have no effect, at most: some points beyond the last
+/// one that counts are needed, because the smoothing length follows from their spacing \[m\].
+pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
+    (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::REACH))
+}
+
+/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror
+/// image of a left one.
+pub(super) struct View<'a, F> {
+    pub lists: Lists<'a, F>,
+    pub pair: &'a WheelPair<F>,
+    pub position: Position<F>,
+    /// The gap's distance of the wheel's points; 0 where it has none \[m\].
+    pub given_step: F,
+    /// How the points move, in which direction, and how far.
+    pub moved: Option<(PointMoves<'a, F>, usize, F)>,
+}
+
+impl<'a, F: Float> View<'a, F> {
+    pub fn new(
+        gap: &'a Gap<F>,
+        pair: &'a WheelPair<F>,
+        position: &Position<F>,
+    ) -> Result<Self, Error> {
+        pair.check()?;
+        position.check()?;
+        let position = position.mirrored(pair.left != 0);
+        let count = gap.count as usize;
+        if count > KSTRIP_SURFACE_CAPACITY {
+            return Err(Error::Capacity);
+        }
+        let lists = gap.lists().map(|list| list.get(..count).unwrap_or(&[]));
+        let [along, .., angle, rolling_radius] = lists;
+        Error::NotFinite
+            .unless(lists.into_iter().all(are_finite) && gap.step.is_finite_number())?;
+        Error::SmoothingLength.unless(gap.step >= F::zero())?;
+        if rolling_radius.iter().any(|radius| *radius <= F::zero()) {
+            return Err(Error::RollingRadius);
+        }
+        let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
+        let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
+        if ascends && upright {
+            Ok(Self { lists, pair, position, given_step: gap.step, moved: None })
+        } else {
+            Err(Error::Profile)
+        }
+    }
+
+    /// The members of the gap at a place, straight between the points.
+    pub fn at(&self, place: F) -> [F; 7] {
+        let [along, ..] = self.lists;
+        let last = along.len().saturating_sub(1);
+        let next = along.partition_point(|along| *along < place).min(last).max(1);
+        let [before, after] = [next - 1, next].map(|k| self.point(k));
+        let ([from, ..], [to, ..]) = (before, after);
+        let share = ((place - from) / (to - from + F::TINY)).clamped(F::zero(), F::one());
+        let mut found = before;
+        for (found, after) in found.iter_mut().zip(after) {
+            *found = *found + (after - *found) * share;
+        }
+        found
+    }
+
+    /// The members of a point, where it has moved.
+    fn point(&self, k: usize) -> [F; 7] {
+        let mut members = self.lists.map(|list| list.get(k).copied().unwrap_or(F::zero()));
+        if let Some((moves, direction, step)) = &self.moved {
+            for (member, slope) in members.iter_mut().zip(moves.in_direction(k, *direction)) {
+                *member += *step * slope;
+            }
+        }
+        members
+    }
+
+    /// Where a point of the wheel is over the rail.
+    pub fn over(&self, x: F, z: F) -> Over<F> {
+        Roller::new(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
+    }
+
+    /// The distance between the wheel's points, or, where it is not given, that between points of
+    /// the gap where the surfaces are near \[m\]: the mean over the points that are less than 0.1 mm
+    /// above the lowest, so that it is continuous while points come and go.
+    fn step(&self) -> F {
+        if self.given_step > F::zero() {
+            return self.given_step;
+        }
+        let [along, distance, ..] = self.lists;
+        let lowest = distance.iter().fold(F::LARGEST, |lowest, distance| lowest.min(*distance));
+        let [mut weights, mut step] = [F::zero(); 2];
+        for (k, (&here, &distance)) in along.iter().zip(distance).enumerate() {
+            let before = k.checked_sub(1).and_then(|k| along.get(k)).unwrap_or(&here);
+            let half = (*along.get(k + 1).unwrap_or(&here) - *before).times(0.5);
+            let rest = (F::one() - (distance - lowest).times(1.0 / LOW)).max(F::zero());
+            let weight = rest * rest * half;
+            weights += weight;
+            step += weight * half;
+        }
+        step / (weights + F::TINY)
+    }
+
+    /// The distance of the surfaces as a profile. None for a gap without points.
+    pub fn profile(&self) -> Result<Option<Profile<'a, F>>, Error> {
+        let [along, distance, x, .., rolling_radius] = self.lists;
+        if along.len() < 2 {
+            return Ok(None);
+        }
+        let step = self.step();
+        let none = counting(step, self.pair.smoothing_length);
+        Profile::new(along, distance)?
+            .of_surfaces(step, [none.times(0.5), none])
+            .with_centre_x(x)?
+            .with_rolling_radius(rolling_radius)
+            .map(Some)
+    }
+
+    /// Presses a part of the curve together as far as the surfaces overlap; `cells` receives what
+    /// strips are made of.
+    pub fn press<const N: usize>(
+        &self,
+        profile: &Profile<F>,
+        curve: &SmoothedProfile<F, N>,
+        approach: Dual<F, N>,
+        count: StripCount,
+        cells: &mut Cells<F, N>,
+    ) -> Result<Indentation<F>, Error> {
+        let contact = self.contact(approach.value);
+        let found = Indentation::of_surfaces(profile, curve, &contact, approach, count, cells)?;
+        if found.warning == Warning::ProfileEnd { Err(Error::ProfileEnd) } else { Ok(found) }
+    }
+
+    /// The strips of cells, made of the numbers that `of` makes; completes the result.
+    pub fn strips<const N: usize>(
+        &self,
+        cells: &Cells<F, N>,
+        of: impl Fn(Dual<F, N>) -> F,
+        found: &mut Indentation<F>,
+        strips: &mut StoredPatch<F>,
+    ) -> Result<(), Error> {
+        let contact = self.contact(found.approach);
+        strips.clear(contact.shear_modulus, contact.poisson_ratio);
+        found.strips(&contact, cells, of, |strip| strips.push(strip))
+    }
+
+    /// What the normal problem needs to know besides the surfaces.
+    fn contact(&self, approach: F) -> ProfileContact<F> {
+        let WheelPair { shear_modulus, poisson_ratio, smoothing_length, .. } = *self.pair;
+        ProfileContact {
+            rolling_radius: self.pair.wheel_radius,
+            given: Given::Approach(approach),
+            shear_modulus,
+            poisson_ratio,
+            // (each strip gets that of its place on the rail)
+            friction: F::zero(),
+            smoothing_length,
+        }
+    }
+}
