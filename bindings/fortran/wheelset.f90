@@ -4,7 +4,7 @@
 program wheelset
    use kstrip
    implicit none
-   integer, parameter :: points = 121, measured = 30
+   integer, parameter :: points = 121, measured = 30, cells = 161
    type(kstrip_surface), target :: rail, wheel
    type(kstrip_wheelset) :: set
    type(kstrip_track) :: track
@@ -19,7 +19,11 @@ program wheelset
    type(kstrip_outputs) :: outputs
    type(kstrip_measured_force) :: curve(measured)
    type(kstrip_friction_fit) :: fit
-   real(c_double) :: y(points), clean
+   type(kstrip_patch) :: patch
+   type(kstrip_point) :: tractions(cells*cells)
+   type(kstrip_options) :: strip = kstrip_options(model=kstrip_model_strip)
+   type(kstrip_creepage) :: motion = kstrip_creepage(longitudinal=2d-3, lateral=1d-3, spin=0.2d0)
+   real(c_double) :: y(points), clean, ahead(cells), across(cells), cell
    integer(c_int32_t) :: statuses(3)
    integer :: i
 
@@ -68,6 +72,17 @@ program wheelset
    start%layer = 0
    call check(kstrip_fit_friction(contact, curve, measured, start, ior(kstrip_fit_friction_expected, kstrip_fit_layer), fit=fit))
    print '(a, f10.6, es16.6, f12.6)', 'fit', fit%law%friction, fit%law%layer, fit%residual
+
+   ! Its tractions, of the contact and of its patch, add up to the force
+   ahead = [(0.075d-3*(i - 81), i=1, cells)]
+   across = [(0.057d-3*(i - 81), i=1, cells)]
+   cell = 0.075d-3*0.057d-3
+   call check(kstrip_evaluate(contact, motion, law, strip, outputs))
+   call check(kstrip_patch_from_contact(contact, strip, patch))
+   call check(kstrip_field(contact, motion, law, strip, ahead, cells, across, cells, tractions, cells*cells))
+   clean = sum(tractions%traction_x)*cell
+   call check(kstrip_patch_field(patch, motion, law, strip, ahead, cells, across, cells, tractions, cells*cells))
+   print '(a, 3f14.3)', 'tractions', force%fx, clean, sum(tractions%traction_x)*cell
 
 contains
 

@@ -62,6 +62,12 @@ fn fortran_has_wheelset_layer_and_fit() {
     assert!(0.0 < rest[0] && rest[0] < 0.5 * rest[1], "{rows:?}");
     // six digits are printed
     assert!((rest[2] - 0.35).abs() < 1e-6 && (rest[3] - 1e-13).abs() < 1e-19, "{rows:?}");
+    // tractions behind a layer add up to the force
+    let [force, of_contact, of_patch] = rest[5..8] else { panic!("{rows:?}") };
+    assert!(force > 5e3, "{rows:?}");
+    for sum in [of_contact, of_patch] {
+        assert!((sum - force).abs() < 0.02 * 0.3 * 80e3, "{rows:?}");
+    }
 }
 
 /// The example compiles without a warning and prints what the same calls print in C.

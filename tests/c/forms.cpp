@@ -70,6 +70,19 @@ int main()
     const auto by_number = kstrip::field(contact, motion, {}, x, plain), by_unit = kstrip::field(contact, motion, {}, units, std::array{1_mm});
     expect(by_number.size() == 3 && std::memcmp(by_number.data(), by_unit.data(), 3 * sizeof by_number[0]) == 0, "field: units");
     expect(kstrip::field(patch, motion, {}, x, x).size() == 9, "field: of a patch");
+    kstrip::friction layered = wet;
+    layered.layer = decltype(layered.layer)(5e-14);
+    std::vector<double> across, along;
+    for (int i = -80; i <= 80; i++)
+        along.push_back(i * 0.076e-3), across.push_back(i * 0.057e-3);
+    double sums[2] = {0, 0};
+    for (const auto &point : kstrip::field(contact, motion, strip, along, across, &layered))
+        sums[0] += point.traction_x.value * 0.076e-3 * 0.057e-3;
+    for (const auto &point : kstrip::field(patch, motion, {}, along, across, &layered))
+        sums[1] += point.traction_x.value * 0.076e-3 * 0.057e-3;
+    const double behind = kstrip::evaluate(contact, motion, strip, &layered).result.fx.value;
+    expect(behind < 0.9 * kstrip::evaluate(contact, motion, strip, &wet).result.fx.value, "field: a layer is softer");
+    expect(std::fabs(sums[0] - behind) < 0.02 * 24e3 && std::fabs(sums[1] - behind) < 0.02 * 24e3, "field: behind a layer");
 
     // Arrays of six
     const auto force = kstrip::solve(contact, motion);

@@ -145,6 +145,30 @@ fn contact_has_these_forces_behind_a_layer() {
     }
 }
 
+/// A patch of the same ellipses: the layer of a strip acts over the length of its zone.
+#[test]
+fn patches_of_ellipses_are_as_near_to_contact_behind_a_layer() {
+    let of = |row: &Row| {
+        let Contact { a, b, normal_force, friction, .. } = row.contact;
+        let patch = Patch::<f64, 64>::from_ellipse(&row.contact, StripCount::Sixteen).unwrap();
+        let view = patch.view().unwrap();
+        let (creepage, law) = (&row.creepage, &row.law);
+        let found = patch_friction::solve_patch_with_law(&view, creepage, law, Model::Strip);
+        let (found, bound) = (found.unwrap().solution, normal_force * friction);
+        let [fx, fy, mz] = row.expected;
+        let force = (found.fx / bound - fx).hypot(found.fy / bound - fy);
+        (force, (found.mz / bound / (a * b).sqrt() - mz).abs())
+    };
+    let errors: Vec<_> = rows().iter().filter(|row| row.ratio > 0.0).map(of).collect();
+    let found = [summary(errors.iter().map(|of| of.0)), summary(errors.iter().map(|of| of.1))];
+    println!("patches {found:.4?}");
+    for (found, limits) in found.iter().zip([[0.0045, 0.0125, 0.025], [0.0030, 0.0090, 0.020]]) {
+        for (found, limit) in found.iter().zip(limits) {
+            assert!(*found < limit && *found > 0.6 * limit, "{found} {limit}");
+        }
+    }
+}
+
 fn any_contact(random: &mut Random) -> Contact<f64> {
     Contact {
         shear_modulus: STEEL,

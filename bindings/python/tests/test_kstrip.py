@@ -159,6 +159,20 @@ class Binding(unittest.TestCase):
         self.assertTrue((points["state"][:, 2] == kstrip.OUTSIDE).all())
         self.assertAlmostEqual(points["pressure"][0, 0] / (1.5 * 80e3 / (np.pi * 6e-3 * 4.5e-3)), 1.0, places=2)
 
+    def test_fields_behind_a_layer_add_up_to_the_forces(self):
+        law = kstrip.friction(0.35, 0.5, 0.3, 10.0, slope_factor=0.8, slide_factor=0.6, layer=2e-14)
+        motion = kstrip.creepage(2e-3, 1e-3, 0.2)
+        x, y = np.linspace(-6.2e-3, 6.2e-3, 249), np.linspace(-4.7e-3, 4.7e-3, 189)
+        cell = (x[1] - x[0]) * (y[1] - y[0])
+        for area in (CONTACT, kstrip.patch_from_contact(CONTACT, strips=32)):
+            found = kstrip.evaluate(area, motion, law, model="strip", strips=32).result
+            points = kstrip.field(area, motion, x, y, model="strip", strips=32, friction=law)
+            for force, traction in (("fx", "traction_x"), ("fy", "traction_y")):
+                self.assertLess(abs(points[traction].sum() * cell - found[force]), 0.02 * BOUND)
+            self.assertTrue((points["dissipation"] >= 0).all())
+            clean = kstrip.field(area, motion, x, y, model="strip", strips=32)
+            self.assertGreater((clean["traction_x"] - points["traction_x"]).sum() * cell, 0.05 * BOUND)
+
     def test_motion_stops_and_reverses(self):
         speeds = np.array([-10.0, 0.0, 10.0])
         answer = kstrip.solve_motion(CONTACT, kstrip.motion(slip_x=[1e-3, 1e-5, 1e-3], rolling_speed=speeds))
