@@ -51,7 +51,9 @@ def plain(change):
 
 # by the change; the reasons
 lines = [line for line in (copy / "tests/mutants.txt").read_text().splitlines() if line and not line.startswith("#")]
-equivalents = {plain(" ; ".join(parts[1:4])): parts[4] for parts in (line.split(" ; ") for line in lines) if parts[0] == "equivalent"}
+split = [line.split(" ; ") for line in lines]
+equivalents = {plain(" ; ".join(parts[1:4])): parts[4] for parts in split if parts[0] == "equivalent"}
+named = [parts[1:3] for parts in split if parts[0] == "equivalent"]
 lines = [line for line in lines if not line.startswith("equivalent ; ")]
 
 switch = '''
@@ -158,6 +160,8 @@ binaries, longest = {}, {}
 
 def build(programs):
     """Compiles test programs, whose files are then run directly: cargo would look for changes each time."""
+    if not programs:
+        return
     asked = [word for program in sorted({tests.split()[0] for tests in programs}) for word in ("--test", program)]
     done = subprocess.run(["cargo", "test", "-q", "--no-run", "--message-format", "json", *asked], cwd=copy, capture_output=True, text=True)
     if done.returncode:
@@ -192,15 +196,22 @@ def kills(number, tests):
 if given.random:
     at_random()
 mutants, stale, edits = [], 0, {}
-for number, line in enumerate(lines, 1):
-    file, place, new, tests = (part.strip() for part in line.split(" ; "))
+def found_at(file, place):
     before, old, after = re.fullmatch(r"(.*?)\[\[(.*?)\]\](.*)", place).groups()
     # blanks of any kind and number count as one
     pattern = r"\s*".join(re.escape(token) for token in re.findall(r"\w+|[^\w\s]", before) ) + r"\s*(" + \
         r"\s*".join(re.escape(token) for token in re.findall(r"\w+|[^\w\s]", old)) + r")\s*" + \
         r",?\s*".join(re.escape(token) for token in re.findall(r"\w+|[^\w\s]", after))
-    text = (copy / "src" / file).read_text()
-    found = list(re.finditer(pattern, text))
+    return list(re.finditer(pattern, (copy / "src" / file).read_text()))
+
+
+for file, place in named:
+    if not found_at(file, place):
+        print(f"stale: equivalent ; {file} ; {place}")
+        stale += 1
+for number, line in enumerate(lines, 1):
+    file, place, new, tests = (part.strip() for part in line.split(" ; "))
+    found = found_at(file, place)
     if len(found) != 1:
         print(f"stale, {len(found)} places: {line}")
         stale += 1
@@ -208,7 +219,7 @@ for number, line in enumerate(lines, 1):
     if word not in line:
         continue
     start, end = found[0].span(1)
-    old = text[start:end]
+    old = found[0].group(1)
     # an operator with its operand: the value before it is part of the change
     if old[0] in "+-.^>" and not old.startswith("-turned") and not re.fullmatch(r"-\d.*", old):
         edits.setdefault(file, []).append((start, end, number, old, new, True))

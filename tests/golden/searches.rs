@@ -15,6 +15,7 @@ use kstrip::contact::material::CombinedMaterial;
 use kstrip::contact::totals::StripCount;
 use kstrip::contact::{Contact, from_approach, from_hertz};
 use kstrip::forces::{self, Model, Options};
+use kstrip::friction::derivatives::differentiate_with_law;
 use kstrip::friction::{SlipFriction, solve_with_law};
 use kstrip::internals::{creepage_counted, estimate_counted};
 use kstrip::normal::cells::Given;
@@ -148,6 +149,23 @@ fn hash_folds<F: Bits>(hash: &mut Hash) {
     }
 }
 
+/// Contacts behind a layer, with rates of bristles up to those that slide and beyond.
+fn hash_layers<F: Bits>(hash: &mut Hash) {
+    for i in 0..200 {
+        let (contact, _, options) = inputs(i);
+        let contact: Contact<F> = converted(&contact);
+        let [longitudinal, lateral, spin] =
+            [1, 3, 5].map(|salt| F::of(size(i, salt, [1e-3, 1.0, 1e3]) * swing(i, salt + 30)));
+        let law = SlipFriction {
+            layer: F::of(size(i, 7, [1e-16, 1e-14, 1e-12])),
+            slide_factor: if i % 2 == 0 { F::one() } else { F::zero() },
+            ..SlipFriction::of_constant(F::of(0.3))
+        };
+        let creepage = Creepage { longitudinal, lateral, spin };
+        hash.derivatives(&differentiate_with_law(&contact, &creepage, Some(&law), &options));
+    }
+}
+
 /// Laws that are fitted to points that scatter.
 fn hash_fits<F: Bits>(hash: &mut Hash) {
     let contact = Contact {
@@ -202,16 +220,18 @@ fn hash_fits<F: Bits>(hash: &mut Hash) {
     }
 }
 
-/// Patches with a second and a third zone that have begun by some micrometres or by a thousandth of
-/// one, near the first or far from it.
+/// Patches with a second and a third zone that have begun by some micrometres or by much less,
+/// near the first or far from it.
 fn hash_young_zones<F: Bits>(hash: &mut Hash) {
     for i in 0..40 {
-        let (count, step) = (81, 2.5e-4);
-        let y: Vec<f64> = (0..count).map(|n| (f64::from(n) - 40.0) * step).collect();
+        // (a fifth of the profiles have many points)
+        let (count, step) = if i % 5 == 0 { (1601, 1.25e-5) } else { (81, 2.5e-4) };
+        let y: Vec<f64> =
+            (0..count).map(|n| (f64::from(n) - f64::from(count / 2)) * step).collect();
         let apart =
             [1, 2].map(|k| f64::from(12 + draw(i, k, 80)) * 1e-4 * [-1.0, 1.0][k as usize - 1]);
         let overlap = F::of(f64::from(10 + draw(i, 3, 60)) * 1e-6);
-        let [one, two] = [4, 6].map(|salt| size(i, salt, [1e-9, 1e-7, 1e-6]));
+        let [one, two] = [4, 6].map(|salt| size(i, salt, [1e-13, 1e-9, 1e-6]));
         let distance: Vec<f64> = y
             .iter()
             .map(|y| {
@@ -232,7 +252,7 @@ fn hash_young_zones<F: Bits>(hash: &mut Hash) {
                 shear_modulus: F::of(82e9),
                 poisson_ratio: F::of(0.28),
                 friction: F::of(0.3),
-                smoothing_length: F::of([0.0, 3e-4, 1e-3][draw(i, 10, 3) as usize]),
+                smoothing_length: F::of([0.0, 2e-5, 3e-4, 1e-3][draw(i, 10, 4) as usize]),
             };
             let strips = [StripCount::Four, StripCount::Eight, StripCount::Sixteen];
             let built =
@@ -385,6 +405,7 @@ fn hashes<F: Bits>(precision: &str) -> String {
     part("ellipses of bodies", hash_hertz::<F>);
     part("searches of rigs", hash_rigs::<F>);
     part("several frictions", hash_folds::<F>);
+    part("layers", hash_layers::<F>);
     part("fits", hash_fits::<F>);
     part("young zones", hash_young_zones::<F>);
     part("wheels anywhere", hash_wheels::<F>);

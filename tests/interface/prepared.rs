@@ -76,6 +76,26 @@ fn prepared_contacts_warn_of_spin_from_the_same_place_on() {
     }
 }
 
+/// The same of a pressure above `0.1 G`, whatever the spin is.
+#[test]
+fn prepared_contacts_warn_of_pressure_from_the_same_place_on() {
+    for (share, warns) in [(0.99, false), (1.01, true)] {
+        for spin in [0.0, 1e-3, -0.1] {
+            let load = share * 0.1 * 82e9 * std::f64::consts::PI * 6e-3 * 4e-3 / 1.5;
+            let (contact, creepage) =
+                problem([6e-3, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, spin, 0.0]);
+            let options = kstrip_options { model: 3, strips: 8 };
+            let mut prepared = MaybeUninit::uninit();
+            assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
+            // SAFETY: status 0.
+            let prepared = unsafe { prepared.assume_init() };
+            let mut found = MaybeUninit::<Solution<f64>>::uninit();
+            let status = kstrip_solve_prepared(Some(&prepared), Some(&creepage), Some(&mut found));
+            assert_eq!(status == KSTRIP_WARNING_PRESSURE, warns, "{status} {share} {spin}");
+        }
+    }
+}
+
 /// Zero, and any other bits, with a model and without.
 #[test]
 fn what_is_not_prepared_is_refused() {

@@ -580,6 +580,26 @@ fn patches_have_their_order_and_capacity() {
     assert_eq!(view(&[good, next], 1.0), None);
     assert_eq!(view(&[next, good], 1.0), Some(Error::StripOrder));
     assert_eq!(view(&[good], 0.0), Some(Error::NotFinite));
+    for (area, error) in [
+        (0.99e-6, Some(Error::Overflow)),
+        (1.01e-6, None),
+        (0.99e6, None),
+        (1.01e6, Some(Error::Overflow)),
+    ] {
+        assert_eq!(view(&[good], area), error, "{area}");
+        let scale = QuadratureScale { area: 1.0, lever: area };
+        assert_eq!(PatchView::new(&[good], 82e9, 0.28, scale).err(), error, "{area}");
+    }
+    // the field of a strip ends with its width
+    let (patch, rest) = (of(&[good]).unwrap(), Creepage::default());
+    let view_of_one = patch.view().unwrap();
+    let field = PatchField::new(&view_of_one, &rest, Model::Strip).unwrap();
+    for (share, inside) in [(0.499, true), (0.501, false)] {
+        for side in [1.0, -1.0] {
+            let y = good.y + side * share * good.width;
+            assert_eq!(field.strip_at(y).is_some(), inside, "{side} {share}");
+        }
+    }
     let patch = of(&[good]).unwrap();
     let (view, rest) = (patch.view().unwrap(), Creepage::default());
     assert_eq!(solver::solve_patch(&view, &rest, Model::Linear), Err(Error::NotInModel));

@@ -270,3 +270,28 @@ fn agrees_with_contact() {
         assert!(ordinary.mean < 0.014 && ordinary.p95 < 0.035, "{model:?}");
     }
 }
+
+/// The warning of a mismatch beyond .25 begins there, of contacts and of patches, with falling
+/// friction and without.
+#[test]
+fn the_warning_of_a_mismatch_begins_at_a_quarter() {
+    let motion = Creepage { longitudinal: 1e-4, lateral: 0.0, spin: 0.0 };
+    let law = SlipFriction {
+        ratio: 0.4,
+        decay: 0.6,
+        rolling_speed: 20.0,
+        ..SlipFriction::of_constant(0.3)
+    };
+    for (mismatch, expected) in [(0.2475, Warning::None), (-0.2525, Warning::Mismatch)] {
+        let contact = Contact { mismatch, ..contact(1.5, 0.3) };
+        let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
+        for law in [None, Some(&law)] {
+            let o = options(Model::Strip);
+            let found = derivatives::differentiate_with_law(&contact, &motion, law, &o).unwrap();
+            assert_eq!(found.solution.warning, expected, "{mismatch} {law:?}");
+            let view = patch.view().unwrap();
+            let found = patch_friction::differentiate_patch(&view, &motion, law, Model::Strip);
+            assert_eq!(found.unwrap().solution.warning, expected, "{mismatch} {law:?}");
+        }
+    }
+}

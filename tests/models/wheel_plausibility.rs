@@ -221,3 +221,30 @@ fn coarse_profiles_are_smoothed_or_told() {
     let warnings = [-8e-3, 0.0].map(|lateral| pressed(&coarse, lateral).1);
     assert_eq!(warnings, [Warning::None, Warning::ProfileCoarse]);
 }
+
+/// A wheel is not supported from a peak pressure of a twentieth of the shear modulus on.
+#[test]
+fn support_ends_at_a_twentieth_of_the_shear_modulus() {
+    let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));
+    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let law = Law { model: Model::Strip, falling: None };
+    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+    let mut memory = zeroed::<Workspace<f64>>();
+    // warning and largest peak pressure over the shear modulus
+    let mut under = |load: f64| {
+        let (_, warning) =
+            scene.height_for_load(&Position::default(), load, None, &mut memory).unwrap();
+        let peaks = memory.found().iter().map(|contact| contact.patch.view().unwrap());
+        let peaks = peaks.map(|view| view.strips().iter().map(|strip| strip.peak_pressure));
+        let peak = peaks.flatten().fold(0.0, f64::max);
+        (warning, peak / pair.shear_modulus)
+    };
+    let (mut low, mut high) = (1e3, 1e6);
+    assert_eq!([low, high].map(|load| under(load).0), [Warning::None, Warning::Support]);
+    while high > 1.001 * low {
+        let middle = f64::midpoint(low, high);
+        *(if under(middle).0 == Warning::None { &mut low } else { &mut high }) = middle;
+    }
+    let (below, above) = (under(low).1, under(high).1);
+    assert!(below <= 0.05 && above > 0.05 && above < 1.01 * below, "{below} {above}");
+}
