@@ -1,6 +1,6 @@
 //! Directions in which the points of a profile move.
 
-use core::fmt::Debug;
+use core::fmt::{Debug, Formatter, Result};
 
 /// Number of directions.
 pub(crate) const DIRECTIONS: usize = 4;
@@ -9,10 +9,17 @@ pub(crate) const DIRECTIONS: usize = 4;
 pub(crate) const TOGETHER: usize = if cfg!(target_os = "none") { 1 } else { DIRECTIONS };
 
 /// How points move.
-pub(crate) trait Moves<F>: Debug {
+pub(crate) trait Moves<F> {
     /// Derivatives of the place, the distance, the centre along `x` and the rolling radius of a
     /// point.
     fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
     /// Derivatives of place and distance.
     fn distance(&self, k: usize) -> [[F; TOGETHER]; 2];
+}
+
+// (derived, it would be part of every table of methods, with what can panic in it)
+impl<F> Debug for dyn Moves<F> + '_ {
+    fn fmt(&self, to: &mut Formatter<'_>) -> Result {
+        to.write_str("Moves")
+    }
 }
