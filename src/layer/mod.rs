@@ -38,6 +38,7 @@ use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
+use crate::number::lanes::Lanes;
 use crate::number::tables::table;
 use crate::number::{Arithmetic, Float, Number, Real, Strips, add, scaled_down};
 
@@ -224,10 +225,13 @@ impl<F: Real> Layer<F> {
     #[inline(always)]
     fn values(&self, rates: [F; 3]) -> [F; 4] {
         with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> [F; 4] {
-            layer.sums::<F::Four, F::Four>(rates, [F::Four::zero(); 3]).map(Strips::total)
+            if cfg!(target_os = "none") {
+                layer.values_of::<Lanes<F, 1>>(rates)
+            } else {
+                layer.values_of::<F::Four>(rates)
+            }
         } {
-            let none = [F::WideFour::zero(); 3];
-            layer.sums::<F::WideFour, F::WideFour>(rates, none).map(Strips::total)
+            layer.values_of::<F::WideFour>(rates)
         })
     }
 
@@ -236,14 +240,23 @@ impl<F: Real> Layer<F> {
         with_avx!(if F::LANES => <F: Real>(
             layer: &Layer<F> = self, rates: [F; 3]
         ) -> RateSlopes<F> {
-            layer.sums_and_slopes::<F::Four>(rates)
+            if cfg!(target_os = "none") {
+                layer.slopes_of::<Lanes<F, 1>>(rates)
+            } else {
+                layer.slopes_of::<F::Four>(rates)
+            }
         } {
-            layer.sums_and_slopes::<F::WideFour>(rates)
+            layer.slopes_of::<F::WideFour>(rates)
         })
     }
 
     #[inline(always)]
-    fn sums_and_slopes<P: Strips<F>>(&self, rates: [F; 3]) -> RateSlopes<F> {
+    fn values_of<P: Strips<F>>(&self, rates: [F; 3]) -> [F; 4] {
+        self.sums(rates, [P::zero(); 3]).map(Strips::total)
+    }
+
+    #[inline(always)]
+    fn slopes_of<P: Strips<F>>(&self, rates: [F; 3]) -> RateSlopes<F> {
         let one = |at: usize| {
             let gradient = [0, 1, 2].map(|i| if i == at { P::constant(1.0) } else { P::zero() });
             Dual { value: P::zero(), gradient }
@@ -256,17 +269,40 @@ impl<F: Real> Layer<F> {
         sums.map(total)
     }
 
-    /// Sums over the strips, four side by side: forces, moment, share in adhesion. `by` are the
-    /// variables that the rates stand for.
+    /// Sums over the strips: forces, moment, share in adhesion. `by` are the variables that the
+    /// rates stand for.
     #[inline(always)]
     fn sums<P: Strips<F>, T: Arithmetic<Value = P>>(&self, rates: [F; 3], by: [T; 3]) -> [T; 4] {
+        if P::COUNT == 4 {
+            return self.sums_from(rates, by, 0);
+        }
+        // One strip after the other, which needs less flash: in the order of [`Strips::total`].
+        let mut halves = [[T::zero(); 4]; 2];
+        for lane in [0, 2, 1, 3] {
+            if let Some(half) = halves.get_mut(lane & 1) {
+                add(half, self.sums_from(rates, by, lane));
+            }
+        }
+        let [mut first, second] = halves;
+        add(&mut first, second);
+        first
+    }
+
+    /// The sums over the strips of every four from `lane` on, as many side by side as `P` has.
+    #[inline(always)]
+    fn sums_from<P: Strips<F>, T: Arithmetic<Value = P>>(
+        &self,
+        rates: [F; 3],
+        by: [T; 3],
+        lane: usize,
+    ) -> [T; 4] {
         let [x, y, spin] = rates.map(P::all);
         let (one, zero) = (P::constant(1.0), P::zero());
         let (root, upright) = (P::all(self.root), P::all(F::one() / self.root));
         let mut sums = [T::zero(); 4];
         for four in table!(F, STRIPS) {
             let field = |from: usize| {
-                P::gather(|k| four.get(from + k).map_or(F::zero(), |x| F::stored(*x)))
+                P::gather(|k| four.get(from + lane + k).map_or(F::zero(), |x| F::stored(*x)))
             };
             let [place, c, load] = [field(0), field(4), field(8)];
             // (υx − φ y, υy + φ x): over the bound of the strip per half length, x in half lengths
