@@ -79,12 +79,10 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
         if !interface.layer.value().exceeds(F::zero()) {
             return half_spaces;
         }
-        let bristles = self.layer.bristles(split.rates);
-        let mean = |of: T, bristles: T| of + (bristles - of) * split.weight;
-        let Totals { fx, fy, mz, stick } = half_spaces;
-        let stick = if M::MODEL == Model::Total { stick } else { mean(stick, bristles.stick) };
-        let (fx, fy) = (mean(fx, bristles.fx), mean(fy, bristles.fy));
-        Totals { fx, fy, mz: mean(mz, bristles.mz), stick }
+        let mean = self.layer.with_bristles(&half_spaces, &split);
+        // (TOTAL has none)
+        let stick = if M::MODEL == Model::Total { half_spaces.stick } else { mean.stick };
+        Totals { stick, ..mean }
     }
 
     /// Totals of the model at other creepages, of which it has three derivatives at most.
@@ -277,7 +275,6 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
         frame: &ScaledContact<F>,
         creepage: &Creepage<F>,
     ) -> (Forces<F>, F, Derivatives<F>, [[F; 3]; 2]) {
-        let ScaledContact { contact, radius, .. } = frame;
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let inputs = Creepage {
             longitudinal: Variable::input(longitudinal, 0),
@@ -289,56 +286,70 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
             slide: Variable::input(self.interface.slide, 4),
         };
         let stiffness = self.model.stiffness();
-        let one = F::one();
         // forces over what they are proportional to
-        let (rows, psi, adhesion, [bound, load]) = match stiffness {
+        let (rows, psi, adhesion) = match stiffness {
             Some(stiffness) => {
-                let [fx, fy, mz] = self.linear(*stiffness, &inputs, interface.layer);
-                let rows = [(fx, one), (fy, one), (mz, one)];
-                (rows, F::zero(), one, [one, contact.normal_force])
+                (self.linear(*stiffness, &inputs, interface.layer), F::zero(), F::one())
             }
             None => {
                 let parameters = frame.units.parameters(&inputs);
                 let Totals { fx, fy, mz, stick } =
                     self.totals_through_layer(frame, &parameters, &interface);
-                let rows = [(fx, one), (fy, one), (mz, *radius)];
-                let bound = contact.friction_bound();
-                (rows, parameters.psi.value, stick.value, [bound, contact.normal_force])
+                ([fx, fy, mz], parameters.psi.value, stick.value)
             }
         };
-        let [fx, fy, mz] = rows.map(|(f, unit)| f.value * (bound * unit));
-        let column = |i: usize| rows.map(|(f, unit)| f.derivative(i) * (bound * unit));
-        let [by_x, by_y, by_spin, by_layer, by_slide] = [0, 1, 2, 3, 4].map(column);
-        let mut jacobian = [[F::zero(); 3]; 3];
-        let columns = by_x.into_iter().zip(by_y).zip(by_spin);
-        for (row, ((x, y), z)) in jacobian.iter_mut().zip(columns) {
-            *row = [x, y, z];
-        }
-        let translation =
-            |f: &Variable<F>| f.derivative(0) * longitudinal + f.derivative(1) * lateral;
-        // f − (∂f/∂c) c;  F: f − ⅓ (∂f/∂v) v − ⅓ λ ∂f/∂λ,  M_z: (4/3) f − ..
-        let euler =
-            rows.map(|(f, unit)| unit * (f.value - (translation(&f) + f.derivative(2) * spin)));
-        let mut hertz = rows.map(|(f, unit)| {
-            let layer = f.derivative(3) * self.interface.layer;
-            unit * (f.value - (translation(&f) + layer).times(1.0 / 3.0))
-        });
-        hertz[2] += mz.times(1.0 / 3.0) / bound;
-        let scaled = |of: [F; 3], factor: F| of.map(|entry| entry * factor);
-        let derivatives = if stiffness.is_some() {
-            let none = [F::zero(); 3];
-            let load_through_hertz = hertz.map(|entry| entry / load);
-            Derivatives { jacobian, normal_force: none, load_through_hertz, friction: none }
-        } else {
-            Derivatives {
-                jacobian,
-                normal_force: scaled(euler, contact.friction),
-                load_through_hertz: scaled(hertz, contact.friction),
-                friction: scaled(euler, load),
-            }
-        };
-        (Forces { fx, fy, mz, adhesion }, psi, derivatives, [by_layer, by_slide])
+        let layer = self.interface.layer;
+        let ([fx, fy, mz], derivatives, by_interface) =
+            unscaled(&rows, frame, creepage, layer, stiffness.is_some());
+        (Forces { fx, fy, mz, adhesion }, psi, derivatives, by_interface)
     }
+}
+
+/// Forces, their derivatives, and those by `λ` and the slide factor, from what they are over `μ N`;
+/// those of the linear theory are not divided by anything.
+fn unscaled<F: Float>(
+    forces: &[Variable<F>; 3],
+    frame: &ScaledContact<F>,
+    creepage: &Creepage<F>,
+    layer: F,
+    is_linear: bool,
+) -> ([F; 3], Derivatives<F>, [[F; 3]; 2]) {
+    let ScaledContact { contact, radius, .. } = frame;
+    let Creepage { longitudinal, lateral, spin } = *creepage;
+    let one = F::one();
+    let (lever, bound) = if is_linear { (one, one) } else { (*radius, contact.friction_bound()) };
+    let [of_x, of_y, of_z] = *forces;
+    let rows = [(of_x, one), (of_y, one), (of_z, lever)];
+    let [fx, fy, mz] = rows.map(|(f, unit)| f.value * (bound * unit));
+    let column = |i: usize| rows.map(|(f, unit)| f.derivative(i) * (bound * unit));
+    let [by_x, by_y, by_spin, by_layer, by_slide] = [0, 1, 2, 3, 4].map(column);
+    let mut jacobian = [[F::zero(); 3]; 3];
+    let columns = by_x.into_iter().zip(by_y).zip(by_spin);
+    for (row, ((x, y), z)) in jacobian.iter_mut().zip(columns) {
+        *row = [x, y, z];
+    }
+    let translation = |f: &Variable<F>| f.derivative(0) * longitudinal + f.derivative(1) * lateral;
+    // f − (∂f/∂c) c;  F: f − ⅓ (∂f/∂v) v − ⅓ λ ∂f/∂λ,  M_z: (4/3) f − ..
+    let euler = rows.map(|(f, unit)| unit * (f.value - (translation(&f) + f.derivative(2) * spin)));
+    let mut hertz = rows.map(|(f, unit)| {
+        let layer = f.derivative(3) * layer;
+        unit * (f.value - (translation(&f) + layer).times(1.0 / 3.0))
+    });
+    hertz[2] += mz.times(1.0 / 3.0) / bound;
+    let scaled = |of: [F; 3], factor: F| of.map(|entry| entry * factor);
+    let derivatives = if is_linear {
+        let none = [F::zero(); 3];
+        let load_through_hertz = hertz.map(|entry| entry / contact.normal_force);
+        Derivatives { jacobian, normal_force: none, load_through_hertz, friction: none }
+    } else {
+        Derivatives {
+            jacobian,
+            normal_force: scaled(euler, contact.friction),
+            load_through_hertz: scaled(hertz, contact.friction),
+            friction: scaled(euler, contact.normal_force),
+        }
+    };
+    ([fx, fy, mz], derivatives, [by_layer, by_slide])
 }
 
 impl<F: Float> ThroughLayer<'_, F> {

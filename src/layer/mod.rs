@@ -159,8 +159,9 @@ impl<F: Real> Layer<F> {
     }
 
     /// What the creepages `vx, vy = G a b (υx, υy)/(μ N)`, `φ = G (a b)^{3/2} ϕ/(μ N)` are for
-    /// half-spaces and bristles.
-    #[inline(always)]
+    /// half-spaces and bristles. (Out of line where code must be small.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn split<T: Number<Base = F>>(
         &self,
         [vx, vy, phi]: [T; 3],
@@ -187,6 +188,21 @@ impl<F: Real> Layer<F> {
             *rate = *rate * (slide * (bent + (k1.scale(slid) - bent) * fade));
         }
         Split { factors, rates, weight: one - k1 }
+    }
+
+    /// The mean of half-spaces and bristles. (Out of line for the same reason.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+    pub fn with_bristles<T: Number<Base = F>>(
+        &self,
+        half_spaces: &Totals<T>,
+        split: &Split<T>,
+    ) -> Totals<T> {
+        let Totals { fx, fy, mz, stick } = *half_spaces;
+        let bristles = self.bristles(split.rates);
+        let mean = |of: T, bristles: T| of + (bristles - of) * split.weight;
+        let (fx, fy) = (mean(fx, bristles.fx), mean(fy, bristles.fy));
+        Totals { fx, fy, mz: mean(mz, bristles.mz), stick: mean(stick, bristles.stick) }
     }
 
     /// Forces of the bristles divided by `μ N`, and their moment divided by `μ N √(ab)`.
