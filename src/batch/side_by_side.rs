@@ -162,11 +162,8 @@ macro_rules! compiled_for {
                     }
                     let frame = &ScaledContact::new(&contact);
                     let (forces, psi) = match options.model {
-                        Model::Strip1967 => {
-                            forces::<_, Strip1967<false>>(frame, &creepage, options)
-                        }
-                        Model::Strip1967Continuous => {
-                            forces::<_, Strip1967<true>>(frame, &creepage, options)
+                        Model::Strip1967 | Model::Strip1967Continuous => {
+                            forces::<_, Strip1967>(frame, &creepage, options)
                         }
                         Model::Strip => {
                             forces::<_, EllipseStrips<F::$contacts>>(frame, &creepage, options)

@@ -4,7 +4,7 @@
 use super::support::*;
 use crate::forces::check::find_fault;
 use crate::forces::prepared::ModelState;
-use crate::forces::theory::ScaledContact;
+use crate::forces::theory::{ScaledContact, sliding_rule};
 use crate::strip;
 
 /// Capacity in numbers.
@@ -51,7 +51,7 @@ impl<F: Float> PreparedNumbers<F> {
         stored.put::<_, PER_SPIN>(F::constant(QUICK) / spin);
         stored.put::<_, FRAME>(prepared.frame);
         match &prepared.known {
-            ModelState::Strip1967(_) | ModelState::Strip1967Continuous(_) => {}
+            ModelState::Strip1967(_) => {}
             ModelState::Strip(strips) => stored.put::<_, KNOWN>(strips.contact),
             ModelState::Total(total) => stored.put::<_, KNOWN>(*total),
             ModelState::Linear(linear) => stored.put::<_, KNOWN>(*linear),
@@ -109,11 +109,8 @@ impl<F: Float> PreparedNumbers<F> {
                 let contact = *self.part::<strip::Flexibilities<F>, KNOWN>();
                 EllipseStrips::from_prepared(contact, strips).answer(frame, creepage, ordinary)
             }
-            Model::Strip1967 if Model::HAS_STRIP_1967 => {
-                Strip1967::<false>.answer(frame, creepage, ordinary)
-            }
-            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                Strip1967::<true>.answer(frame, creepage, ordinary)
+            Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                Strip1967(sliding_rule(model)).answer(frame, creepage, ordinary)
             }
             _ => return Err(Error::NotPrepared),
         };

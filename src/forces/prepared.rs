@@ -20,8 +20,7 @@ pub struct Prepared<F: Real> {
 #[derive(Clone, Copy, Debug)]
 #[allow(clippy::large_enum_variant)]
 pub(crate) enum ModelState<F: Real> {
-    Strip1967(Strip1967<false>),
-    Strip1967Continuous(Strip1967<true>),
+    Strip1967(Strip1967),
     Strip(EllipseStrips<F>),
     Total(Total<F>),
     Linear(Linear<F>),
@@ -55,11 +54,8 @@ impl<F: Float> Prepared<F> {
         contact.check()?;
         let frame = ScaledContact::new(contact);
         let known = match options.model {
-            Model::Strip1967 if Model::HAS_STRIP_1967 => {
+            Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
                 ModelState::Strip1967(Theory::of_contact(&frame, options))
-            }
-            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                ModelState::Strip1967Continuous(Theory::of_contact(&frame, options))
             }
             Model::Strip if Model::HAS_STRIP => {
                 ModelState::Strip(Theory::of_contact(&frame, options))
@@ -90,7 +86,6 @@ impl<F: Float> Prepared<F> {
         }
         Ok(match &self.known {
             ModelState::Strip1967(theory) => theory.answer(frame, creepage, ordinary),
-            ModelState::Strip1967Continuous(theory) => theory.answer(frame, creepage, ordinary),
             ModelState::Strip(strips) => strips.answer(frame, creepage, ordinary),
             ModelState::Total(total) => total.answer(frame, creepage, ordinary),
             ModelState::Linear(linear) => linear.answer(frame, creepage, ordinary),

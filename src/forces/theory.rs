@@ -25,11 +25,8 @@ macro_rules! by_model {
         use $crate::forces::options::Model;
         use $crate::forces::theory::{EllipseStrips, Linear, Strip1967, Total};
         match $model {
-            Model::Strip1967 if Model::HAS_STRIP_1967 => {
-                $function::<_, Strip1967<false>>($($argument),*)
-            }
-            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                $function::<_, Strip1967<true>>($($argument),*)
+            Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                $function::<_, Strip1967>($($argument),*)
             }
             Model::Strip if Model::HAS_STRIP => $function::<_, EllipseStrips<$F>>($($argument),*),
             Model::Total if Model::HAS_TOTAL => $function::<_, Total<$F>>($($argument),*),
@@ -155,7 +152,7 @@ pub(crate) struct Forces<T> {
 
 /// A model, ready for the creepages of one contact.
 pub(crate) trait Theory<F: Real>: Copy {
-    /// The number of the model.
+    /// The number of the model; in the theory of 1967 that of one rule stands for both.
     const MODEL: Model;
 
     /// Computes everything that depends on the contact alone.
@@ -242,16 +239,16 @@ pub(crate) trait Theory<F: Real>: Copy {
     }
 }
 
-/// The theory of 1967, which uses only the parameters of a contact.
+/// The theory of 1967 with either rule of sliding, which uses only the parameters of a contact.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Strip1967<const CONTINUOUS: bool>;
+pub(crate) struct Strip1967(pub(crate) SlidingRule);
 
-impl<F: Real, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
-    const MODEL: Model = if CONTINUOUS { Model::Strip1967Continuous } else { Model::Strip1967 };
+impl<F: Real> Theory<F> for Strip1967 {
+    const MODEL: Model = Model::Strip1967;
 
     #[inline(always)]
-    fn of_contact(_: &ScaledContact<F>, _: &Options) -> Self {
-        Self
+    fn of_contact(_: &ScaledContact<F>, options: &Options) -> Self {
+        Self(sliding_rule(options.model))
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
@@ -259,7 +256,7 @@ impl<F: Real, const CONTINUOUS: bool> Theory<F> for Strip1967<CONTINUOUS> {
         _: &ScaledContact<F>,
         parameters: &Parameters<T>,
     ) -> Totals<T> {
-        strip_1967::totals(parameters, sliding_rule(<Self as Theory<F>>::MODEL))
+        strip_1967::totals(parameters, self.0)
     }
 }
 

@@ -181,7 +181,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ) -> kstrip_status {
     solved(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        solution_of::<_, Strip1967<false>>(given(contact)?, given(creepage)?, &options)
+        solution_of::<_, Strip1967>(given(contact)?, given(creepage)?, &options)
     })
 }
 
