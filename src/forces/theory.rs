@@ -13,6 +13,7 @@ use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Pair, Real};
 use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
+use core::mem::MaybeUninit;
 
 pub(crate) use crate::strip::EllipseStrips;
 pub(crate) use crate::total::Total;
@@ -63,7 +64,23 @@ pub fn forces_of_contact<F: Float>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<Solution<F>, Error> {
-    by_model!(options.model, F, solution_of(contact, creepage, options), Err(Error::Model))
+    let mut place = MaybeUninit::uninit();
+    write_forces(contact, creepage, options, &mut place).copied()
+}
+
+/// The same, written where the caller wants it.
+///
+/// # Errors
+/// Those of [`forces_of_contact`].
+pub(crate) fn write_forces<'a, F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    options: &Options,
+    place: &'a mut MaybeUninit<Solution<F>>,
+) -> Result<&'a Solution<F>, Error> {
+    let absent = Err(Error::Model);
+    let found = by_model!(options.model, F, solution_of(contact, creepage, options), absent);
+    found.map(|solution| &*place.write(solution))
 }
 
 /// The same as [`forces_of_contact`], inlined in each caller, which then links no other model.
@@ -118,9 +135,11 @@ impl<F: Real> ScaledContact<F> {
         if self.contact.mismatch == F::zero() || model.is_of_1967() {
             return (*creepage, None);
         }
+        // (Copies, here and below: otherwise all numbers of the frame are stored, needed or not.)
+        let (contact, units) = (self.contact, self.units);
         let shift = match model {
-            Model::Linear => Shift::linear(&self.contact),
-            _ => Shift::new(&self.contact, &self.units, creepage),
+            Model::Linear => Shift::linear(&contact),
+            _ => Shift::new(&contact, &units, creepage),
         };
         let longitudinal = creepage.longitudinal + shift.value;
         (Creepage { longitudinal, ..*creepage }, Some(shift))
@@ -232,7 +251,12 @@ pub(crate) trait Theory<F: Real>: Copy {
             model_warning(Self::MODEL, bound, frame.units.axis_ratio, psi)
                 .worse(neglected(Self::MODEL, frame.contact.mismatch))
         };
-        let warning = if ordinary { of_model } else { warned(&frame.contact, creepage, of_model) };
+        let warning = if ordinary {
+            of_model
+        } else {
+            let (contact, seen) = (frame.contact, *creepage);
+            warned(&contact, &seen, of_model)
+        };
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);
         Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
@@ -320,8 +344,14 @@ impl<F: Real> Theory<F> for Linear<F> {
         let Contact { a, b, shear_modulus, .. } = frame.contact;
         let stiffness = shear_modulus * a * b;
         let lever = stiffness * frame.radius;
-        let entries = [stiffness * c11, stiffness * c22, lever * c23, lever * frame.radius * c33];
-        Self(F::each(&entries, |entry| entry.min(F::LARGEST)))
+        let [x, y] = [stiffness * c11, stiffness * c22];
+        let [coupling, z] = [lever * c23, lever * frame.radius * c33];
+        let mut entries = [x, y, coupling, z];
+        // (none is negative)
+        if !(x + y + (coupling + z)).lies_within(F::LARGEST) {
+            entries = F::each(&entries, |entry| entry.min(F::LARGEST));
+        }
+        Self(entries)
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(

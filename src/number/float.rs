@@ -79,7 +79,13 @@ macro_rules! plain {
             }
             #[inline]
             fn lies_between(self, low: Self, high: Self) -> bool {
-                self >= low && self <= high
+                // Where comparing numbers takes longer than comparing their bits, which are in the
+                // same order.
+                let [bits, from, to] = [self, low, high].map(|x| x.to_bits());
+                if cfg!(target_arch = "x86_64") || low <= 0.0 {
+                    return self >= low && self <= high;
+                }
+                bits.wrapping_sub(from) <= to.wrapping_sub(from)
             }
             #[inline]
             fn lies_within(self, limit: Self) -> bool {

@@ -12,7 +12,7 @@ use core::mem::MaybeUninit;
 /// `x` of a row, and of its weights some after the other, each with its products: sum, number,
 /// weight.
 macro_rules! rows {
-    ($start:ident, $sums:ident, $x:ident, $w:ident, $n:ident, $stride:ident,
+    ($start:ident, $sums:ident, $x:ident, $w:ident, $n:ident, $($stride:ident)?,
         $of_sums:literal, $of_x:literal,
         $($of_w:literal: $($sum:literal $by:literal $weight:literal),*;)*) => {
         core::arch::asm!(
@@ -23,7 +23,7 @@ macro_rules! rows {
                 concat!("vldmia {w}!, {{", $of_w, "}}"),
                 $(concat!("vmla.f32 s", $sum, ", s", $by, ", s", $weight),)*
             )*
-            "add {w}, {w}, {stride}",
+            $(concat!("add {w}, {w}, {", stringify!($stride), "}"),)?
             "subs {n}, {n}, #1",
             "bne 2b",
             concat!("vstmia {sums}, {{", $of_sums, "}}"),
@@ -32,7 +32,7 @@ macro_rules! rows {
             x = inout(reg) $x => _,
             w = inout(reg) $w => _,
             n = inout(reg) $n => _,
-            stride = in(reg) $stride,
+            $($stride = in(reg) $stride,)?
             out("s0") _, out("s1") _, out("s2") _, out("s3") _, out("s4") _, out("s5") _,
             out("s6") _, out("s7") _, out("s8") _, out("s9") _, out("s10") _, out("s11") _,
             out("s12") _, out("s13") _, out("s14") _, out("s15") _, out("s16") _, out("s17") _,
@@ -48,8 +48,8 @@ macro_rules! rows {
 ///
 /// # Safety
 /// `start` and `sums` are `W` columns of `K` numbers, `x` is `n` times `K` numbers, and `w` the
-/// first of `n` rows of `W` weights with `stride` bytes between them; `n > 0`. `start` and `sums`
-/// may be the same.
+/// first of `n` rows of `W` weights with `stride` bytes between them, none where `K = 1`; `n > 0`.
+/// `start` and `sums` may be the same.
 #[inline(never)]
 unsafe fn add_block<const K: usize, const W: usize>(
     start: *const f32,
@@ -63,26 +63,26 @@ unsafe fn add_block<const K: usize, const W: usize>(
     unsafe {
         match (K, W) {
             (1, 14) => rows!(
-                start, sums, x, w, n, stride, "s0-s13", "s14",
+                start, sums, x, w, n, , "s0-s13", "s14",
                 "s15-s28": 0 14 15, 1 14 16, 2 14 17, 3 14 18, 4 14 19, 5 14 20, 6 14 21, 7 14 22,
                     8 14 23, 9 14 24, 10 14 25, 11 14 26, 12 14 27, 13 14 28;
             ),
             (1, 20) => rows!(
-                start, sums, x, w, n, stride, "s0-s19", "s20",
+                start, sums, x, w, n, , "s0-s19", "s20",
                 "s21-s30": 0 20 21, 1 20 22, 2 20 23, 3 20 24, 4 20 25, 5 20 26, 6 20 27, 7 20 28,
                     8 20 29, 9 20 30;
                 "s21-s30": 10 20 21, 11 20 22, 12 20 23, 13 20 24, 14 20 25, 15 20 26, 16 20 27,
                     17 20 28, 18 20 29, 19 20 30;
             ),
             (1, 22) => rows!(
-                start, sums, x, w, n, stride, "s0-s21", "s22",
+                start, sums, x, w, n, , "s0-s21", "s22",
                 "s23-s30": 0 22 23, 1 22 24, 2 22 25, 3 22 26, 4 22 27, 5 22 28, 6 22 29, 7 22 30;
                 "s23-s30": 8 22 23, 9 22 24, 10 22 25, 11 22 26, 12 22 27, 13 22 28, 14 22 29,
                     15 22 30;
                 "s23-s28": 16 22 23, 17 22 24, 18 22 25, 19 22 26, 20 22 27, 21 22 28;
             ),
             (1, 24) => rows!(
-                start, sums, x, w, n, stride, "s0-s23", "s24",
+                start, sums, x, w, n, , "s0-s23", "s24",
                 "s25-s30": 0 24 25, 1 24 26, 2 24 27, 3 24 28, 4 24 29, 5 24 30;
                 "s25-s30": 6 24 25, 7 24 26, 8 24 27, 9 24 28, 10 24 29, 11 24 30;
                 "s25-s30": 12 24 25, 13 24 26, 14 24 27, 15 24 28, 16 24 29, 17 24 30;

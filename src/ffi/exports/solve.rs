@@ -29,8 +29,10 @@ pub extern "C" fn kstrip_solve(
     options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || {
-        forces::forces_of_contact(given(contact)?, given(creepage)?, &for_forces(options)?)
+    answer(|| {
+        let place = given(result)?;
+        let (contact, creepage) = (given(contact)?, given(creepage)?);
+        Ok(write_forces(contact, creepage, &for_forces(options)?, place)?.warning)
     })
 }
 
