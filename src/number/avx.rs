@@ -8,6 +8,8 @@
 
 #![allow(unsafe_code)]
 
+#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+pub(super) use self::root::of_two;
 pub(super) use self::root::{of_f32, of_f64};
 
 #[inline]
@@ -23,6 +25,14 @@ fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T;
 
 #[cfg(not(target_arch = "x86_64"))]
 impl<F: super::traits::Float> super::traits::InRegisters for F {
+    #[inline(always)]
+    fn roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
+        if let [first, second] = &mut a[..] {
+            [*first, *second] = F::two_roots([*first, *second]);
+            return a;
+        }
+        super::traits::each(a, |a| a.sqrt())
+    }
     #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         one_exceeds(a, b)
@@ -364,6 +374,30 @@ mod root {
             );
         }
         f32::from_bits(root)
+    }
+
+    /// Two of them, which takes fewer moves between registers.
+    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+    #[inline]
+    pub(in crate::number) fn of_two([x, y]: [f32; 2]) -> [f32; 2] {
+        let (of_x, of_y): (u32, u32);
+        // SAFETY: as before.
+        unsafe {
+            core::arch::asm!(
+                "vmov s0, s1, {x}, {y}",
+                "vsqrt.f32 s0, s0",
+                "vsqrt.f32 s1, s1",
+                "vmov {of_x}, {of_y}, s0, s1",
+                x = in(reg) x.to_bits(),
+                y = in(reg) y.to_bits(),
+                of_x = lateout(reg) of_x,
+                of_y = lateout(reg) of_y,
+                out("s0") _,
+                out("s1") _,
+                options(nomem, nostack, pure),
+            );
+        }
+        [of_x, of_y].map(f32::from_bits)
     }
 
     #[cfg(not(any(

@@ -177,6 +177,12 @@ plain!(
         type WideContacts = Lanes<f32, 16>;
         const ARTANH: &'static [f32] = &ARTANH_SINGLE;
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
+
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
+        fn two_roots(of: [f32; 2]) -> [f32; 2] {
+            avx::of_two(of)
+        }
     }
     Real {
         type Four = Lanes<f32, 4>;
