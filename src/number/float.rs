@@ -196,6 +196,11 @@ plain!(
         const HAS_ROWS: bool = true;
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
         #[inline(always)]
+        fn as_stored<const C: usize>(row: &[f32; C]) -> Option<&[f32; C]> {
+            Some(row)
+        }
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
         fn rows_at_once<const C: usize, const R: usize>(
             start: &[f32; C],
             inputs: &[f32; R],

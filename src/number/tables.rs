@@ -118,6 +118,19 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
     sums
 }
 
+/// [`add_rows`] to a row of a table.
+#[inline(always)]
+pub(crate) fn add_rows_to<F: Real, P: Strips<F>, const C: usize, const R: usize>(
+    start: &[F::Stored; C],
+    inputs: impl Iterator<Item = F> + Clone,
+    rows: &[[F::Stored; C]; R],
+) -> [F; C] {
+    match F::as_stored(start) {
+        Some(start) => add_rows::<F, P, C, R>(start, inputs, rows),
+        None => add_rows::<F, P, C, R>(&row(start), inputs, rows),
+    }
+}
+
 /// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The
 /// first one that is left.
 #[inline(always)]

@@ -202,6 +202,11 @@ pub trait Real: Number<Base = Self> + InRegisters {
         self.lies_between(Self::zero(), limit)
     }
 
+    /// A row of a table as it stands there. Only where [`Real::HAS_ROWS`].
+    #[inline(always)]
+    fn as_stored<const C: usize>(_row: &[Self::Stored; C]) -> Option<&[Self; C]> {
+        None
+    }
     /// Whether the machine has instructions for rows of weights ([`Real::rows_at_once`]).
     const HAS_ROWS: bool = false;
     /// `start + Σ xᵢ rowᵢ`, row after row. Only where the machine has instructions for it.

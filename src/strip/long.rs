@@ -7,7 +7,7 @@
 
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
-use crate::number::tables::{add_rows, row, table, widen};
+use crate::number::tables::{add_rows_to, table, widen};
 use crate::number::{Arithmetic, Number, Pair, Real, Strips};
 
 const UNITS: usize = OUTPUT.len();
@@ -44,7 +44,7 @@ impl<F: Real> LongContact<F> {
         let length = ratio.times(2.0).plus(-2.4);
         let fixed = [length, length.squared(), poisson, poisson * length];
         let [offset, weights @ ..] = table!(F, widen(&FIXED));
-        let start = add_rows::<F, F::Four, _, _>(&row(offset), fixed.iter().copied(), weights);
+        let start = add_rows_to::<F, F::Four, _, _>(offset, fixed.iter().copied(), weights);
         Self { share, small: root.squared().squared().inverse().times(0.1), start }
     }
 

@@ -2,7 +2,9 @@
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
 use crate::number::lanes::Lanes;
-use crate::number::tables::{add_rows, beside_zeros, from_side_by_side, row, table, widen};
+use crate::number::tables::{
+    add_rows, add_rows_to, beside_zeros, from_side_by_side, row, table, widen,
+};
 use crate::number::{Number, Real, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
@@ -40,8 +42,8 @@ impl<F: Real> StripNetwork<F> {
     pub fn new(ratio: F, poisson: F) -> Self {
         let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
         Self {
-            start: add_rows::<F, F::Four, _, _>(
-                &row(offset),
+            start: add_rows_to::<F, F::Four, _, _>(
+                offset,
                 [ratio, poisson].iter().copied(),
                 weights,
             ),

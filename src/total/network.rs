@@ -4,7 +4,8 @@
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::lanes::Lanes;
 use crate::number::tables::{
-    ValueAndSlopes, add_rows, beside_zeros, couples_as_rows, from_side_by_side, row, table, widen,
+    ValueAndSlopes, add_rows, add_rows_to, beside_zeros, couples_as_rows, from_side_by_side, row,
+    table, widen,
 };
 use crate::number::{Number, Real, Strips};
 
@@ -25,7 +26,7 @@ impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
     pub(super) fn for_fixed_inputs(fixed: [F; FIXED_INPUTS]) -> Self {
         let [offset, weights @ ..] = table!(F, couples_as_rows(&FIXED));
-        Self { sums: add_rows::<F, F::Four, _, _>(&row(offset), fixed.iter().copied(), weights) }
+        Self { sums: add_rows_to::<F, F::Four, _, _>(offset, fixed.iter().copied(), weights) }
     }
 
     /// The corrections for the other inputs, sums side by side in `P`. (Out of line where code must
@@ -54,7 +55,7 @@ impl<F: Real> TotalNetwork<F> {
         let sums = add_rows::<F, P, _, _>(&self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
-            activation(add_rows::<F, P, _, _>(&row(second_offset), units.iter().copied(), second));
+            activation(add_rows_to::<F, P, _, _>(second_offset, units.iter().copied(), second));
         let mut outputs = last_layer(&units, |unit| *unit, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
