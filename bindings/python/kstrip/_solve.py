@@ -151,11 +151,8 @@ def evaluate(contacts: Union[Contact, Patch], creepages: Creepage, friction: Opt
     """
     _only_of_patch(own, contacts)
     wanted = ("friction",) + ("derivatives",) * bool(derivatives) + ("law_derivatives",) * bool(law_derivatives)
-    made: dict[str, Any]
-    if is_patch(contacts):
-        made = _of_patch(contacts, creepages, friction, model, strips, wanted, own)
-    else:
-        made = _batch(contacts, creepages, friction, model, strips, wanted)
+    arguments = (contacts, creepages, friction, model, strips, wanted)
+    made: dict[str, Any] = dict(_of_patch(*arguments, own) if is_patch(contacts) else _batch(*arguments))
     return Evaluation(made["result"], made["friction"], made.get("derivatives"), made.get("law_derivatives"))
 
 
