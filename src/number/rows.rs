@@ -10,11 +10,11 @@ use core::mem::transmute;
 
 /// Sums of as many columns as there are weights in a row.
 #[repr(C)]
-struct Sums<const W: usize>([f32; W]);
+struct RowSums<const W: usize>([f32; W]);
 
 /// A function for so many columns.
 type SumsOfRows<const W: usize> =
-    unsafe extern "C" fn(*const f32, *const f32, *const f32, usize) -> Sums<W>;
+    unsafe extern "C" fn(*const f32, *const f32, *const f32, usize) -> RowSums<W>;
 
 /// `name: sums, number, weights some after the other, each with its products`: a function that
 /// returns `start + Σ xᵢ wᵢ` of `n` rows, all sums in registers. The products: sum, weight.
@@ -30,7 +30,7 @@ macro_rules! sums_of_rows {
             x: *const f32,
             w: *const f32,
             n: usize,
-        ) -> Sums<$W> {
+        ) -> RowSums<$W> {
             // r0 is the place for the result, r1 to r3 are the pointers, the count is on the stack
             core::arch::naked_asm!(
                 "ldr r12, [sp]",
