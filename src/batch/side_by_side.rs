@@ -142,7 +142,7 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
 macro_rules! compiled_for {
     ($width:ident, $features:literal, $contacts:ident, $narrower:ident) => {
         mod $width {
-            use super::*;
+            use crate::batch::side_by_side::*;
 
             #[target_feature(enable = $features)]
             pub fn solve_each<F: Float>(

@@ -2,9 +2,9 @@
 //! are wide ones.
 //!
 //! x86-64 has registers of 128 bits; those of 256 bits (AVX) are there on most processors, those of
-//! 512 bits (AVX-512) on some, which are asked once. Everything here is the correctly rounded operation of a plain number. What is
-//! `unsafe`: instructions on registers without memory access, on machines that are known to have
-//! them.
+//! 512 bits (AVX-512) on some, which are asked once. Everything here is the correctly rounded
+//! operation of a plain number. What is `unsafe`: instructions on registers without memory access,
+//! on machines that are known to have them.
 
 #![allow(unsafe_code)]
 

@@ -113,8 +113,8 @@ impl<'a, F: Float> View<'a, F> {
     }
 
     /// The distance between the wheel's points, or, where it is not given, that between points of
-    /// the gap where the surfaces are near \[m\]: the mean over the points that are less than 0.1 mm
-    /// above the lowest, so that it is continuous while points come and go.
+    /// the gap where the surfaces are near \[m\]: the mean over the points that are less than
+    /// 0.1 mm above the lowest, so that it is continuous while points come and go.
     fn step(&self) -> F {
         if self.given_step > F::zero() {
             return self.given_step;
