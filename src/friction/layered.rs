@@ -305,8 +305,8 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
     }
 }
 
-/// Forces, their derivatives, and those by `λ` and the slide factor, from the same divided by `μ N`;
-/// those of the linear theory are not divided by anything.
+/// Forces, their derivatives, and those by `λ` and the slide factor, from the same divided by
+/// `μ N`; those of the linear theory are not divided by anything.
 fn unscaled<F: Float>(
     forces: &[Variable<F>; 3],
     frame: &ScaledContact<F>,

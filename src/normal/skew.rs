@@ -29,6 +29,7 @@ const PRESSURE: [f64; 5] = [2.0 / 9.0, 0.20185655, 0.05583529, 0.79983055, 0.172
 const AXES: [f64; 5] = [1.0 / 32.0, 0.00877391, 0.00136164, -0.05536114, 0.03584116];
 
 /// The fitted function of the logarithm of a number.
+#[inline(always)]
 fn by_constants<F: Float, const N: usize>(
     x: WithSlope<F, N>,
     [s, a, b, d, e]: [f64; 5],
@@ -100,8 +101,8 @@ impl<F: Float, const N: usize> Cells<F, N> {
         let [ratio, slope] = shape(self);
         let [straight, root] = curvatures(ratio);
         let skewed = straight + slope.squared() * root.times(0.5);
-        let [approach, pressure] = [APPROACH, PRESSURE]
-            .map(|constants| by_constants(skewed, constants) - by_constants(straight, constants));
+        let approach = by_constants(skewed, APPROACH) - by_constants(straight, APPROACH);
+        let pressure = by_constants(skewed, PRESSURE) - by_constants(straight, PRESSURE);
         // N ~ δ^(3/2), p ~ N^(1/3), and the area is N/p
         let (load, approach) = match given {
             Given::Load(_) => (zero, exponential(approach)),

@@ -29,14 +29,12 @@ impl<F: Float> Extremes<F> {
     /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can
     /// fail, in either precision.
     pub(super) fn are_usual(&self) -> bool {
-        let (nearest, farthest) =
-            ([-1.0, 1e-9, 1e-9, -1.0, 0.0, 0.0], [1.0, 1.0, 1.0, 1.0, 1e12, 5.0]);
+        let (zero, one, small) = (F::zero(), F::one(), F::of(1e-9));
+        let nearest = [-one, small, small, -one, zero, zero];
+        let farthest = [one, one, one, one, F::of(1e12), F::of(5.0)];
         let within = |numbers: &[F; 6]| {
             let bounds = nearest.iter().zip(&farthest);
-            numbers
-                .iter()
-                .zip(bounds)
-                .all(|(x, (low, high))| x.lies_between(F::of(*low), F::of(*high)))
+            numbers.iter().zip(bounds).all(|(x, (low, high))| x.lies_between(*low, *high))
         };
         // NaN is neither the least nor the largest.
         within(&self.least)

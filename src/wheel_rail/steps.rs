@@ -127,14 +127,14 @@ fn rates_of_shares<F: Float>(
     });
     let step = F::EPSILON.cube_root() / fastest;
     // f' = (4 f(h) − f(2 h) − 3 f(0))/(2 h)
-    for (distance, weight) in [(step, 4.0), (step.times(2.0), -1.0)] {
+    for (distance, weight) in [(step, F::of(2.0)), (step.times(2.0), F::of(-0.5))] {
         let mut zones = Overlaps::new();
         curve.overlaps(|own| own.value + distance * rate(own), |zone| zones.push(zone));
         let moved = zones.groups()?;
         for (rate, group) in rates.iter_mut().zip(groups) {
             let moved = moved.iter().find(|moved| moved.zones == group.zones);
             let share = moved.map_or(F::zero(), |moved| moved.share);
-            *rate += (share - group.share).times(0.5 * weight) / step;
+            *rate += (share - group.share) * weight / step;
         }
     }
     Ok(())
