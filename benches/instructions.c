@@ -13,7 +13,9 @@ enum {
     BATCH, BATCH_DERIVATIVES, BATCH_FALLING, BATCH_FALLING_DERIVATIVES, KINDS
 };
 /* of a profile with two bottoms, and of its patch */
-enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_ON_RAIL, OF_PATCHES };
+enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_ON_RAIL, WHEEL_BY_POSITION, WHEELSET, WHEELSET_BY_POSITION, OF_PATCHES };
+/* Wheels are computed for the first of the creepages only. */
+enum { CALLS_OF_WHEELS = 32 };
 enum { POINTS = 400 };
 
 static const struct {
@@ -113,12 +115,24 @@ void counted_calls(int kind, const kstrip_options *options)
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
     }
-    if (kind == WHEEL_ON_RAIL) {
+    if (kind >= WHEEL_ON_RAIL) {
         static kstrip_wrench wrench;
         static kstrip_wrench_derivatives slopes;
-        for (int i = 0; i < CALLS; i++) {
+        static kstrip_wrench_by_position by_position;
+        static kstrip_wheelset_workspace both;
+        static kstrip_wheelset_forces forces;
+        static kstrip_wheelset_derivatives by;
+        static kstrip_wheelset_by_position moved;
+        const kstrip_wheelset set = {.wheel = {&wheel}, .back_to_back = 1.36, .pair = {pair}};
+        const kstrip_track track = {.rail = {&rail}, .origin = {0.75, 0.75}};
+        for (int i = 0; i < CALLS_OF_WHEELS; i++) {
             const kstrip_wheel_velocity velocity = {.forward = 20, .pitch = -(1 + creepages[i].longitudinal) * 20 / 0.46};
-            check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench, &slopes, NULL));
+            if (kind < WHEELSET)
+                check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench, &slopes,
+                                           kind == WHEEL_BY_POSITION ? &by_position : NULL));
+            else
+                check(kstrip_wheelset_on_track(&set, &track, &position, &velocity, &both, &forces, &by,
+                                               kind == WHEELSET_BY_POSITION ? &moved : NULL));
         }
         return;
     }
@@ -217,13 +231,14 @@ int main(void)
                            has_strips ? (int)strips : 0);
                     (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
-    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_on_rail"};
+    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_on_rail",
+                                             "wheel_by_position", "wheelset", "wheelset_by_position"};
     for (int kind = FROM_PROFILE; kind < OF_PATCHES; kind++)
         for (int two = 0; two < 2; two++) {
             const kstrip_options options = {KSTRIP_MODEL_STRIP, two ? 0 : 16};
             printf("STRIP f64 %s_%s_%s 16\n", of_patches[kind - FROM_PROFILE], two ? "two" : "one",
                    two ? "zones" : "zone");
-            if (kind == WHEEL_ON_RAIL)
+            if (kind >= WHEEL_ON_RAIL)
                 place(two);
             else
                 press(two, &patch);

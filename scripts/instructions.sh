@@ -25,13 +25,15 @@ valgrind --quiet --tool=callgrind --callgrind-out-file="$scratch/counts" \
 # The k-th row's count is in the k-th file.
 compiler="$(rustc --version), $(rustc -vV | awk '/^host:/ { print $2 }')"
 {
-    echo "# Written by scripts/instructions.sh. Instructions per call, mean of 512 (benches/instructions.c)."
+    echo "# Written by scripts/instructions.sh. Instructions per call, mean of 512, of wheels 32 (benches/instructions.c)."
     echo "# compiler: $compiler"
     echo "# model, precision, what, strips (0: none), instructions"
     k=0
     while read -r name; do
         k=$((k + 1))
-        awk -v name="$name" '/^(totals|summary):/ { print name, int($2 / 512 + 0.5); exit }' "$scratch/counts.$k"
+        calls=512
+        case $name in *wheel*) calls=32 ;; esac
+        awk -v name="$name" -v calls=$calls '/^(totals|summary):/ { print name, int($2 / calls + 0.5); exit }' "$scratch/counts.$k"
     done < "$scratch/names"
 } > "$scratch/now"
 
@@ -80,6 +82,13 @@ table=$(awk '
             else printf "| %s | %d | %d | %d | %d | %d ", m, solve[m, 4], solve[m, 8], solve[m, 16], solve[m, 32], solve[m, 64]
             printf "| %d | %d | %d |\n", other[m, "derivatives"], other[m, "layer"], other[m, "layer_derivatives"]
         }
+        print "\nPatches, wheels and wheelsets with STRIP (the derivatives of wheels are those by velocity):\n"
+        print "| | one wide zone | two narrow zones |"
+        print "|---|---|---|"
+        count = split("from_profile patch patch_derivatives wheel_on_rail wheel_by_position wheelset wheelset_by_position", kinds, " ")
+        split("`kstrip_patch_from_profile`;`kstrip_patch_evaluate`;with derivatives;`kstrip_wheel_on_rail` with derivatives;by position too;`kstrip_wheelset_on_track` with derivatives;by position too", names, ";")
+        for (i = 1; i <= count; i++)
+            printf "| %s | %d | %d |\n", names[i], other["STRIP", kinds[i] "_one_zone"], other["STRIP", kinds[i] "_two_zones"]
     }' "$file")
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
