@@ -1450,8 +1450,7 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
 
 /**
  * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the
- * strip has those of the motion and own besides. The motion may be zero, and own all that the
- * strips have. The derivatives are those with respect to the motion, at constant own.
+ * strip has own and those of the motion, which may be zero and by which the derivatives are.
  *
  * @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
  * @param own             array of patch->count creepages, one for each strip; NULL: all zero.
@@ -1995,10 +1994,9 @@ typedef struct kstrip_wrench_by_position {
  *                          NULL: not needed.
  * @param[out] by_position  receives their derivatives with respect to position: exact but for one
  *                        difference of creep forces, within 1e-6 of the largest of the column at
- *                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks.
- *                        Over a roller differences to both sides, at eight times the cost. Up to
- *                        200 kB of stack on a PC.
- *                        NULL: not needed.
+ *                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks;
+ *                        over a roller two-sided differences, at eight times the cost. Up to
+ *                        200 kB of stack on a PC. NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
  *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
  *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,

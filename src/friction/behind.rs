@@ -13,7 +13,7 @@
 //! bristles likewise.
 
 use crate::layer::bristles::Rates;
-use crate::number::Float;
+use crate::number::{Float, length};
 use crate::strip_1967::strip::{State, StripPoint};
 
 /// The rigid slip of a strip, and what half-spaces and bristles have of it: at `x` half lengths
@@ -63,10 +63,10 @@ impl<F: Float> StripBehind<F> {
         let (slip_x, slip_y) =
             (mean(half.slip_x, bristles.slip_x), mean(half.slip_y, bristles.slip_y));
         let dissipation = mean(half.dissipation(), bristles.dissipation());
-        let size = (x * x + y * y).sqrt() + F::TINY;
+        let size = length(x, y) + F::TINY;
         let (along_x, along_y) = (x / size, y / size);
-        let [of_half, of_bristles] = [half, bristles]
-            .map(|point| (point.slip_x * point.slip_x + point.slip_y * point.slip_y).sqrt());
+        let [of_half, of_bristles] =
+            [half, bristles].map(|point| length(point.slip_x, point.slip_y));
         // (where their tractions cancel no slip is large enough)
         let fastest = of_half.max(of_bristles);
         let lacking = dissipation / size - (along_x * slip_x + along_y * slip_y);

@@ -25,7 +25,7 @@
 //! cos α`, in which the bound is smooth, both by Simpson's rule. A bristle sticks again where the
 //! tractions on its way keep the bound by themselves.
 
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, length};
 
 /// Steps along a strip.
 const STEPS: usize = 5;
@@ -305,8 +305,7 @@ impl<T: Arithmetic> Rates<T> {
 impl<F: Float> Rates<F> {
     /// Their size at `x`.
     pub fn size_at(&self, x: F) -> F {
-        let y = self.y + self.spin * x;
-        (self.x * self.x + y * y).sqrt()
+        length(self.x, self.y + self.spin * x)
     }
 
     /// The traction at `x`, from the [`ROWS`], and whether the bristle sticks there.

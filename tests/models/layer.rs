@@ -668,3 +668,35 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
         }
     }
 }
+
+/// Slip whose square does not fit the floating-point type does.
+#[test]
+fn fields_behind_a_layer_are_finite_for_any_slip() {
+    let c = Contact {
+        a: 6e-3_f32,
+        b: 4e-3,
+        normal_force: 8e4,
+        shear_modulus: 8.2e10,
+        poisson_ratio: 0.28,
+        friction: 0.3,
+        mismatch: 0.0,
+    };
+    let patch = Patch::<f32, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+    let view = patch.view().unwrap();
+    for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
+        for (slip, layer) in [(4e24, 0.0), (4e24, 4e-14), (1e20, 4e-14), (1e-25, 4e-14)] {
+            let law = SlipFriction { layer, slope_factor: 0.5, ..SlipFriction::of_constant(0.3) };
+            let m = Creepage { longitudinal: -8e-4 * slip, lateral: -slip, spin: 1e-3 };
+            let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
+            let of_patch = PatchField::with_law(&view, &m, &law, model).unwrap();
+            for k in -18..19 {
+                let (x, y) = (3e-4 * (k / 2) as f32, 1e-3);
+                let is_even = k % 2 == 0;
+                let own = field.along(&field.strip_at(y), x);
+                let point = if is_even { own } else { of_patch.at(x, y) };
+                let size = point.slip_x.abs().max(point.slip_y.abs());
+                assert!(point.dissipation.is_finite() && size.is_finite(), "{slip} {point:?}");
+            }
+        }
+    }
+}

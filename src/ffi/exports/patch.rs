@@ -155,8 +155,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 }
 
 /// kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the
-/// strip has those of the motion and own besides. The motion may be zero, and own all that the
-/// strips have. The derivatives are those with respect to the motion, at constant own.
+/// strip has own and those of the motion, which may be zero and by which the derivatives are.
 ///
 /// @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
 /// @param own             array of patch->count creepages, one for each strip; NULL: all zero.
