@@ -208,6 +208,7 @@ impl InRegisters for Precise {
 
 impl Float for Precise {
     type Contacts = Lanes<Self, 2>;
+    type WideContacts = Lanes<Self, 2>;
     const ARTANH: &'static [Self] = &[];
     const ARCTAN: &'static [Self] = &[];
 
