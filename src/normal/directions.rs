@@ -4,9 +4,10 @@ use core::fmt::{Debug, Formatter, Result};
 
 /// Number of directions.
 pub(crate) const DIRECTIONS: usize = 4;
-/// Number of directions of the derivatives that numbers carry at once: on a microcontroller one,
-/// which takes the least memory.
-pub(crate) const TOGETHER: usize = if cfg!(target_os = "none") { 1 } else { DIRECTIONS };
+/// Number of directions of the derivatives that numbers carry at once: on a microcontroller and in
+/// a browser one, which takes the least memory and code.
+pub(crate) const TOGETHER: usize =
+    if cfg!(any(target_os = "none", target_family = "wasm")) { 1 } else { DIRECTIONS };
 
 /// How points move.
 pub(crate) trait Moves<F> {
