@@ -499,6 +499,22 @@ fn hashes_of_rust(counts: &[u32]) -> String {
     text
 }
 
+/// Compares the hashes of both precisions, which are made side by side, with a file of `tests/data`;
+/// with `KSTRIP_WRITE_GOLDEN` it is written first.
+pub fn compare(file: &str, double: fn(&str) -> String, single: fn(&str) -> String) {
+    let path = root().join("tests/data").join(file);
+    let here = std::thread::scope(|scope| {
+        let double = scope.spawn(|| double("double"));
+        let single = single("single");
+        double.join().expect("hashes") + &single
+    });
+    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
+        std::fs::write(&path, &here).expect("tests/data is writable");
+    }
+    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
+    assert_eq!(here, golden, "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results change");
+}
+
 #[test]
 fn every_build_gives_the_golden_bits() {
     let path = root().join("tests/data/golden.txt");

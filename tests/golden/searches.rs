@@ -3,10 +3,9 @@
 //! profiles that scatter or are scanned twice. All inputs are quotients of whole numbers drawn at
 //! random.
 
-use crate::bits::{Bits, Hash, draw, inputs, part};
+use crate::bits::{Bits, Hash, compare, draw, inputs, part};
 use crate::manchester::zeroed;
 use crate::single::{converted, converted_motion};
-use crate::toolchain::root;
 use crate::wheel::{PAIRS, Stand, hash_surface, hash_wrench};
 
 use kstrip::contact::creepage::Creepage;
@@ -420,15 +419,5 @@ fn searches_give_the_golden_bits() {
     if std::env::var_os("KSTRIP_GOLDEN_FEW").is_some() {
         return;
     }
-    let path = root().join("tests/data/golden_searches.txt");
-    let here = std::thread::scope(|scope| {
-        let double = scope.spawn(|| hashes::<f64>("double"));
-        let single = hashes::<f32>("single");
-        double.join().expect("hashes") + &single
-    });
-    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
-        std::fs::write(&path, &here).expect("tests/data is writable");
-    }
-    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
-    assert_eq!(here, golden, "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results change");
+    compare("golden_searches.txt", hashes::<f64>, hashes::<f32>);
 }

@@ -1,9 +1,8 @@
 //! The same bits of prepared profiles, of wheels on rails, and of the patch of a profile between
 //! unlike materials, in both precisions: `tests/data/golden_wheel.txt`, written like the others.
 
-use crate::bits::{Bits, Hash};
+use crate::bits::{Bits, Hash, compare};
 use crate::manchester::{points, zeroed};
-use crate::toolchain::root;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -330,15 +329,5 @@ fn hashes<F: Bits>(precision: &str) -> String {
 
 #[test]
 fn wheels_and_profiles_give_the_golden_bits() {
-    let path = root().join("tests/data/golden_wheel.txt");
-    let here = std::thread::scope(|scope| {
-        let double = scope.spawn(|| hashes::<f64>("double"));
-        let single = hashes::<f32>("single");
-        double.join().expect("hashes") + &single
-    });
-    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
-        std::fs::write(&path, &here).expect("tests/data is writable");
-    }
-    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
-    assert_eq!(here, golden, "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results change");
+    compare("golden_wheel.txt", hashes::<f64>, hashes::<f32>);
 }
