@@ -14,8 +14,6 @@ pub(crate) trait Moves<F> {
     /// Derivatives of the place, the distance, the centre along `x` and the rolling radius of a
     /// point.
     fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
-    /// Derivatives of place and distance.
-    fn distance(&self, k: usize) -> [[F; TOGETHER]; 2];
 }
 
 // (derived, it would be part of every table of methods, with what can panic in it)

@@ -55,7 +55,8 @@ impl<'a, F: Float> Moving<'a, F> {
         let [moved, lifted] = match kept.and_then(Cell::get) {
             Some((known, moves)) if known == k => moves,
             _ => {
-                let moves = self.points.distance(k);
+                let [moved, lifted, ..] = self.points.moves_of_point(k);
+                let moves = [moved, lifted];
                 if let Some(kept) = kept {
                     kept.set(Some((k, moves)));
                 }

@@ -13,7 +13,7 @@ use crate::numerics::hermite::Cubic;
 use heapless::Vec;
 
 /// Largest number of knots.
-pub(super) const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
+const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 /// Largest number of pieces of a whole profile; the step of the knots is not smaller.
 const PIECES: f64 = 4096.0;
 /// Smoothing length of wide contacts \[m\].

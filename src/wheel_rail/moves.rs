@@ -191,8 +191,4 @@ impl<F: Float> Moves<F> for PointMoves<'_, F> {
         let [x, radius] = [x, radius].map(|by_yaw| [F::zero(), F::zero(), by_yaw, F::zero()]);
         [along, distance, x, radius].map(|all| self.some(all))
     }
-
-    fn distance(&self, k: usize) -> [[F; TOGETHER]; 2] {
-        self.in_all(k).0.map(|all| self.some(all))
-    }
 }

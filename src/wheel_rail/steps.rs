@@ -1,5 +1,4 @@
-//! The contacts of a wheel after small steps, for derivatives with respect to its
-//! position.
+//! The contacts of a wheel after small steps, for derivatives with respect to its position.
 //!
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
@@ -84,10 +83,11 @@ impl<F: Float> Steps<'_, F> {
                 let mut pressed = view.press(&profile, &curve, depth, count, &mut cells)?;
                 for (direction, step) in steps.clone() {
                     for step in [step, -step].into_iter().take(sides) {
+                        // (what is more than zero does not vanish over a step)
                         let of = |own: Directed<F>| {
                             let moved = own.value + step * own.derivative(direction - first);
-                            let is_left = moved > F::zero() || own.value <= F::zero();
-                            if is_left { moved } else { own.value }
+                            let vanishes = own.value > F::zero() && moved <= F::zero();
+                            if vanishes { own.value } else { moved }
                         };
                         view.strips(&cells, of, &mut pressed, strips)?;
                         if strips.count > 0 {
@@ -154,8 +154,13 @@ impl<'a, F: Float> View<'a, F> {
         Self { position, moved: Some((moves, direction, step)), ..*self }
     }
 
-    /// The step of a direction: over it the numbers change by a small share, the creepage from an
-    /// initial one.
+    /// The step of a direction, over which the overlap `δ`, the shape and the creepage `υ` change
+    /// by a small share. With the rates `d'` of the distance, `u'` and `x'` of the place of the
+    /// lowest point, and `α'` of the wheel's turn,
+    ///
+    /// ```text
+    /// h = √ε/(D/5 + C/1.4),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
+    /// ```
     fn step_in(&self, moves: &PointMoves<F>, direction: usize, creepage: F) -> F {
         let [_, distance, ..] = self.lists;
         let lowest = lowest(distance);
