@@ -1449,8 +1449,8 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_outputs *outputs);
 
 /**
- * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the
- * strip has own and those of the motion, which may be zero and by which the derivatives are.
+ * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to
+ * those that the motion has at the strip's centre. Derivatives are with respect to the motion.
  *
  * @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
  * @param own             array of patch->count creepages, one for each strip; NULL: all zero.

@@ -854,8 +854,8 @@ module kstrip
          type(kstrip_outputs), intent(in) :: outputs
       end function
 
-      !> kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: at its centre the strip has own and
-      !> those of the motion, which may be zero and by which the derivatives are.
+      !> kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to those that the
+      !> motion has at the strip's centre.
       integer(c_int32_t) function kstrip_patch_evaluate_strips(patch, creepage, own, friction, options, outputs) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch
