@@ -499,8 +499,8 @@ fn hashes_of_rust(counts: &[u32]) -> String {
     text
 }
 
-/// Compares the hashes of both precisions, which are made side by side, with a file of `tests/data`;
-/// with `KSTRIP_WRITE_GOLDEN` it is written first.
+/// Compares the hashes of both precisions, which are made side by side, with a file of
+/// `tests/data`; with `KSTRIP_WRITE_GOLDEN` it is written first.
 pub fn compare(file: &str, double: fn(&str) -> String, single: fn(&str) -> String) {
     let path = root().join("tests/data").join(file);
     let here = std::thread::scope(|scope| {
