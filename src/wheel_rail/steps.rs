@@ -11,7 +11,7 @@ use super::touch::Gap;
 use super::view::{self, View};
 use super::{Position, WheelPair};
 use crate::contact::totals::StripCount;
-use crate::normal::cells::Cells;
+use crate::normal::cells::{Cell, Cells};
 use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
 use crate::normal::smooth::SmoothedProfile;
@@ -25,6 +25,12 @@ const SMALL: f64 = 5.0;
 /// Change of a creepage over a step, over the root of the creepage's product with the rounding of a
 /// speed: the slip is a difference of speeds.
 const SMALL_SLIP: f64 = 1.4;
+
+/// Largest change of a cell over a step, over its width or length: cells of a zone that has just
+/// begun change without a bound, and carry nothing.
+const LARGEST_CHANGE: f64 = 0.1;
+/// Least overlap that decides a step \[m\]: the points of a gap may touch less than its curve.
+const SHALLOWEST: f64 = 1e-9;
 
 /// Weight of the change of depths in the step of a share's difference.
 const DEEPER: f64 = 0.01;
@@ -81,6 +87,7 @@ impl<F: Float> Steps<'_, F> {
                 curve.restrict(&group.whole);
                 let depth = curve.depth(&group.whole);
                 let mut pressed = view.press(&profile, &curve, depth, count, &mut cells)?;
+                bound_changes(&mut cells, steps.clone().map(|(_, step)| step));
                 for (direction, step) in steps.clone() {
                     for step in [step, -step].into_iter().take(sides) {
                         // (what is more than zero does not vanish over a step)
@@ -104,6 +111,25 @@ impl<F: Float> Steps<'_, F> {
             }
         }
         Ok(steps)
+    }
+}
+
+/// Lessens the derivatives of cells that would change by much over the steps, so that strips keep
+/// their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`, `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
+fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: impl Iterator<Item = F> + Clone) {
+    for cell in &mut cells.list {
+        let Cell { y, width, half_length, centre_x, pressure, .. } = cell;
+        for (k, step) in steps.clone().enumerate() {
+            let rate = |own: &Directed<F>| own.derivative(k).abs();
+            let of_width = rate(y).max(rate(width)) / width.value;
+            let change = step * of_width.max(rate(half_length) / half_length.value);
+            if change > F::of(LARGEST_CHANGE) {
+                let part = F::of(LARGEST_CHANGE) / change;
+                for own in [&mut *y, width, half_length, centre_x, pressure] {
+                    own.set_derivative(k, own.derivative(k) * part);
+                }
+            }
+        }
     }
 }
 
@@ -166,7 +192,7 @@ impl<'a, F: Float> View<'a, F> {
         let lowest = lowest(distance);
         let least = distance.get(lowest).copied().unwrap_or(F::zero());
         let [along, lifted, x, _, z, ..] = moves.in_direction(lowest, direction);
-        let depth = (-least).max(F::of(1e-9));
+        let depth = (-least).max(F::of(SHALLOWEST));
         let radius = self.pair.wheel_radius;
         let Position { yaw, roll, vertical, .. } = moves.direction(direction);
         let turns = yaw.abs() + roll.abs() + (z.abs() + vertical.abs()) / radius;

@@ -7,10 +7,12 @@ use crate::wheel_continuity::{RAILS, WHEELS};
 use crate::wheel_rail::profile;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
+use kstrip::patch::{PatchStrip, StoredPatch};
+use kstrip::wheel_rail::contacts::WheelContact;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, WrenchByPosition};
-use kstrip::wheel_rail::{Position, Velocity};
+use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 
 type Members = [f64; 6];
 
@@ -141,4 +143,74 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
         assert!(memory.found().iter().any(|one| one.share > 0.0 && one.share < 1.0));
         assert!(found.iter().all(|off| off.is_some_and(|off| off < 2e-5)), "{found:?}");
     }
+}
+
+/// Zones of all contacts.
+fn zones(memory: &Workspace<f64>) -> usize {
+    let of_contact = |contact: &WheelContact<f64>| {
+        let StoredPatch { strips, count, .. } = &contact.patch;
+        let strips = &strips[..*count as usize];
+        let apart = |pair: &[PatchStrip<f64>]| {
+            pair[1].y - pair[0].y > 0.5 * (pair[0].width + pair[1].width) + 1e-12
+        };
+        usize::from(!strips.is_empty()) + strips.windows(2).filter(|pair| apart(pair)).count()
+    };
+    memory.found().iter().map(of_contact).sum()
+}
+
+/// Where a zone has just begun its strips change by more than their size over any step.
+#[test]
+fn derivatives_by_position_are_there_where_zones_begin() {
+    let mut random = Random::new(8);
+    let rails = RAILS.map(|(name, turn)| profile(name, turn));
+    let wheels = WHEELS.map(|name| profile(name, 0.0));
+    let mut memory = zeroed::<Workspace<f64>>();
+    let velocity = Velocity { forward: 20.0, pitch: -43.4, lateral: 0.02, ..Velocity::default() };
+    let mut begun = 0;
+    for trial in 0..48 {
+        let pair = WheelPair { smoothing_length: [0.0, 2e-3, 4e-3][trial % 3], ..steel(0.46) };
+        let (rail, wheel) = (&rails[trial % 6], &wheels[trial / 6 % 4]);
+        let law = Law { model: Model::Strip, falling: None };
+        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let [lateral, yaw] = [random.between(-15e-3, 5e-3), random.between(-0.02, 0.02)];
+        let start = Position { lateral, yaw, vertical: 0.0, roll: 0.0 };
+        let Ok((deep, _)) = scene.height_for_load(&start, 150e3, None, &mut memory) else {
+            continue;
+        };
+        let mut count = |vertical: f64| {
+            let position = Position { vertical, ..start };
+            scene.solve(&position, &velocity, &mut memory, None, None).unwrap();
+            zones(&memory)
+        };
+        let mut begins = Vec::new();
+        for k in 0..40 {
+            let [mut before, mut after] = [k, k + 1].map(|k| deep - 4e-4 + 1e-5 * f64::from(k));
+            let few = count(before);
+            if count(after) <= few {
+                continue;
+            }
+            loop {
+                let middle = 0.5 * (before + after);
+                if middle <= before || middle >= after {
+                    break;
+                }
+                *(if count(middle) > few { &mut after } else { &mut before }) = middle;
+            }
+            begins.push(after);
+        }
+        begun += begins.len();
+        for (begin, deeper) in begins.iter().flat_map(|begin| {
+            [0.0, 1e-18, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8].map(|deeper| (begin, deeper))
+        }) {
+            let position = Position { vertical: begin + deeper, ..start };
+            let mut slopes = WrenchByPosition::default();
+            let found = scene.solve(&position, &velocity, &mut memory, None, Some(&mut slopes));
+            assert!(found.is_ok(), "{trial} {found:?} {position:?}");
+            let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
+            let all = [lateral, vertical, yaw, roll];
+            assert!(all.as_flattened().iter().all(|slope| slope.is_finite()), "{all:?}");
+            assert!(deeper < 1e-15 || vertical[2].abs() < 1e10, "{vertical:?} {position:?}");
+        }
+    }
+    assert!(begun > 20, "{begun}");
 }
