@@ -37,14 +37,17 @@ impl<F: Float> StripBehind<F> {
             return *point;
         }
         let rigid = self.rigid.size_at(place);
-        let stretch = rigid / (self.half_spaces.size_at(place) + F::TINY);
+        let stretch = (rigid / (self.half_spaces.size_at(place) + F::TINY)).min(F::LARGEST);
         let of_half_spaces =
             StripPoint { slip_x: point.slip_x * stretch, slip_y: point.slip_y * stretch, ..*point };
         let Some(bristles) = &self.bristles else { return of_half_spaces };
         let found = bristles.at(place);
-        let stretch = rigid / (bristles.size_at(place) + F::TINY) / (unit + F::TINY);
+        let size = bristles.size_at(place) + F::TINY;
+        let stretch = (rigid / size / (unit + F::TINY)).min(F::LARGEST);
         let [traction_x, traction_y] = found.traction.map(|traction| traction * bound);
-        let [slip_x, slip_y] = found.slip.map(|slip| slip * stretch);
+        // (at the ends of a strip the bound of friction is steep, and bristles slip as fast)
+        let most = rigid / (unit + F::TINY) / F::EPSILON;
+        let [slip_x, slip_y] = found.slip.map(|slip| (slip * stretch).clamped(-most, most));
         let of_bristles = StripPoint { traction_x, traction_y, slip_x, slip_y, ..*point };
         self.between(&of_half_spaces, &of_bristles, found.slides)
     }

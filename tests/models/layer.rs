@@ -700,3 +700,28 @@ fn fields_behind_a_layer_are_finite_for_any_slip() {
         }
     }
 }
+
+/// Bristles that hardly bend have a share of the slip, not what their flexibility divides.
+#[test]
+fn fields_of_bodies_that_hardly_resist_are_finite() {
+    let c = Contact {
+        a: 4.9e-4,
+        b: 1.5e-4,
+        normal_force: 430.0,
+        shear_modulus: 4e-247,
+        poisson_ratio: 6.7e-4,
+        friction: 2.6,
+        mismatch: 0.01,
+    };
+    let m = Creepage { longitudinal: -0.0156, lateral: 0.0031, spin: 1.6 };
+    let constant = SlipFriction::of_constant(1.4);
+    let law = SlipFriction { slope_factor: 5.5e-5, slide_factor: 0.05, layer: 4.5e-13, ..constant };
+    for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
+        let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
+        for (i, k) in (-10..11).flat_map(|i| (-10..11).map(move |k| (i, k))) {
+            let strip = field.strip_at(0.1 * c.b * f64::from(i));
+            let point = field.along(&strip, 0.1 * c.a * f64::from(k));
+            assert!(point.slip_x.is_finite() && point.dissipation.is_finite(), "{point:?}");
+        }
+    }
+}
