@@ -31,23 +31,24 @@ pub(crate) struct StripBehind<F> {
 
 impl<F: Float> StripBehind<F> {
     /// The mean at `place` \[half lengths\]. Tractions count in units of which the strip has
-    /// `bound` at its peak, slip in `unit`.
+    /// `bound` at its peak, slip in `unit`, at most [`Number::HUGE`](crate::number::Number::HUGE).
     pub fn mean(&self, point: &StripPoint<F>, place: F, [bound, unit]: [F; 2]) -> StripPoint<F> {
         if point.state == State::Outside {
             return *point;
         }
         let rigid = self.rigid.size_at(place);
-        let stretch = (rigid / (self.half_spaces.size_at(place) + F::TINY)).min(F::LARGEST);
-        let of_half_spaces =
-            StripPoint { slip_x: point.slip_x * stretch, slip_y: point.slip_y * stretch, ..*point };
+        let of = |slip: [F; 2], stretch: F| {
+            let stretch = stretch.min(F::LARGEST);
+            slip.map(|slip| (slip * stretch).clamped(-F::HUGE, F::HUGE))
+        };
+        let stretch = rigid / (self.half_spaces.size_at(place) + F::TINY);
+        let [slip_x, slip_y] = of([point.slip_x, point.slip_y], stretch);
+        let of_half_spaces = StripPoint { slip_x, slip_y, ..*point };
         let Some(bristles) = &self.bristles else { return of_half_spaces };
         let found = bristles.at(place);
-        let size = bristles.size_at(place) + F::TINY;
-        let stretch = (rigid / size / (unit + F::TINY)).min(F::LARGEST);
+        let stretch = rigid / (bristles.size_at(place) + F::TINY) / (unit + F::TINY);
         let [traction_x, traction_y] = found.traction.map(|traction| traction * bound);
-        // (at the ends of a strip the bound of friction is steep, and bristles slip as fast)
-        let most = rigid / (unit + F::TINY) / F::EPSILON;
-        let [slip_x, slip_y] = found.slip.map(|slip| (slip * stretch).clamped(-most, most));
+        let [slip_x, slip_y] = of(found.slip, stretch);
         let of_bristles = StripPoint { traction_x, traction_y, slip_x, slip_y, ..*point };
         self.between(&of_half_spaces, &of_bristles, found.slides)
     }

@@ -159,7 +159,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 
     /// `k c/λ` and `k κ/λ`; where `λ` vanishes, creepages so large that the whole patch slides.
     pub fn scaled(&self, share: F) -> Result<Scaled<'a, F>, Error> {
-        let factor = self.law.slope_or_one() / share;
+        let factor = (self.law.slope_or_one() / share).max(F::one() / F::HUGE);
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
         let creepage = self.creepage.scaled(factor);

@@ -725,3 +725,23 @@ fn fields_of_bodies_that_hardly_resist_are_finite() {
         }
     }
 }
+
+/// A stiffness that is nearly nothing leaves the forces and the slip of a patch numbers.
+#[test]
+fn patches_of_hardly_any_stiffness_are_finite() {
+    let c = any_contact(&mut Random::new(7));
+    let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+    let view = patch.view().unwrap();
+    let m = Creepage { longitudinal: 2e-5, lateral: -2.4e-4, spin: 0.03 };
+    for slope_factor in [1e-300, f64::from_bits(1)] {
+        let law = SlipFriction { slope_factor, ..SlipFriction::of_constant(0.3) };
+        let found =
+            patch_friction::solve_patch_with_law(&view, &m, &law, Model::Strip).unwrap().solution;
+        assert!(found.power.is_finite() && found.fx.abs() < 1e-9, "{found:?}");
+        let field = PatchField::with_law(&view, &m, &law, Model::Strip).unwrap();
+        for k in -10..11 {
+            let point = field.at(2e-3, 1e-3 * f64::from(k));
+            assert!(point.slip_x.is_finite() && point.dissipation.is_finite(), "{point:?}");
+        }
+    }
+}
