@@ -182,7 +182,7 @@ const TAIL: &str = "};
 int main(void)
 {
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
-        calls[i]();
+        calls[i].call(calls[i].number);
     return 0;
 }
 ";
@@ -276,12 +276,11 @@ fn writes_through_places(function: &Function) -> bool {
     function.arguments.iter().filter_map(target).any(|name| OUTPUTS_OF.contains(&name.as_str()))
 }
 
-/// The block of C that makes one call and prints its number, status and whether outputs are
-/// untouched.
-fn block(
-    number: usize,
-    case: Option<&Case>,
+/// The function of C that makes a call with good arguments, or with those of a case, and prints its
+/// number, status and whether outputs are untouched.
+fn caller(
     function: &Function,
+    cases: &[(usize, &Case)],
     good: &BTreeMap<String, String>,
 ) -> String {
     let single = function.name.ends_with("_f32");
@@ -300,28 +299,24 @@ fn block(
     };
     let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
     let many = has_count && value_of("count") != "1";
-    let (mut text, mut arguments, mut outputs) = ("    {\n".to_owned(), vec![], vec![]);
+    let (mut text, mut arguments, mut outputs) = (String::new(), vec![], vec![]);
     let places = "places".to_owned();
     if writes_through_places(function) {
-        text += "        memset(places, POISON, sizeof places);\n";
+        text += "    memset(places, POISON, sizeof places);\n";
         outputs.push(&places);
     }
-    for (position, argument) in function.arguments.iter().enumerate() {
+    for argument in &function.arguments {
         let Variable { kind, name, .. } = argument;
-        let bad = case.filter(|case| case.position == position);
-        let is_null = bad.is_some_and(|case| case.value == "NULL" && !case.argument.contains('.'));
         match argument.target() {
-            Some(_) if is_null => arguments.push("NULL".to_owned()),
             Some((target, true)) => {
                 let large = LARGE.iter().any(|large| base(target) == format!("kstrip_{large}"));
                 let size = if large { FEW } else { OUTPUTS };
-                text += &format!("        static {target} {name}[{size}];\n");
-                text += &format!("        memset({name}, POISON, sizeof {name});\n");
+                text += &format!("    static {target} {name}[{size}];\n");
+                text += &format!("    memset({name}, POISON, sizeof {name});\n");
                 // (what is bad is told with an error too; a workspace is no output)
                 if !["first_bad", "statuses", "workspace"].contains(&name.as_str()) {
                     outputs.push(name);
                 }
-                arguments.push(name.clone());
             }
             Some((target, false)) => {
                 let of_number = matches!(target, "double" | "float");
@@ -331,53 +326,64 @@ fn block(
                     own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
                 let list = good.get(&format!("{}.{name}", base(&function.name)));
                 if let Some(list) = list.filter(|_| of_number) {
-                    text += &format!("        {target} {name}[{ELEMENTS}] = {list};\n");
+                    text += &format!("    {target} {name}[{ELEMENTS}] = {list};\n");
                 } else {
                     let value = spelt(value);
-                    text += &format!("        const {target} {name}_good = {value};\n");
-                    text += &format!("        {target} {name}[{ELEMENTS}];\n");
+                    text += &format!("    const {target} {name}_good = {value};\n");
+                    text += &format!("    {target} {name}[{ELEMENTS}];\n");
                     text += &format!(
-                        "        for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
+                        "    for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
                         if of_number { " * (float)(i + 1)" } else { "" }
                     );
                 }
-                if let Some(case) = bad {
-                    let place = match case.argument.split_once('.') {
-                        Some((_, member)) => {
-                            // Options are one for all contacts.
-                            let one = [
-                                "kstrip_options",
-                                "kstrip_batch_inputs",
-                                "kstrip_batch_outputs",
-                                "kstrip_outputs",
-                                "kstrip_wheelset",
-                                "kstrip_track",
-                            ];
-                            let element = usize::from(many && !one.contains(&base(target)));
-                            format!("{name}[{element}].{member}")
-                        }
-                        None => case.argument.clone(),
-                    };
-                    text += &format!("        {place} = {};\n", spelt(&case.value));
-                }
-                arguments.push(name.clone());
             }
-            None => {
-                let value = bad.map_or_else(|| value_of(name).clone(), |case| spelt(&case.value));
-                arguments.push(format!("({kind})({value})"));
-            }
+            None => text += &format!("    {kind} {name} = ({kind})({});\n", value_of(name)),
         }
+        if argument.target().is_some() {
+            text += &format!("    {kind} {name}_given = {name};\n");
+            arguments.push(format!("{name}_given"));
+        } else {
+            arguments.push(name.clone());
+        }
+    }
+    text += "    switch (call) {\n";
+    for (number, case) in cases {
+        let Variable { kind, name, .. } = &function.arguments[case.position];
+        let value = spelt(&case.value);
+        let bad = match function.arguments[case.position].target() {
+            None => format!("{name} = ({kind})({value})"),
+            Some(_) if value == "NULL" && !case.argument.contains('.') => {
+                format!("{name}_given = NULL")
+            }
+            Some((target, _)) => match case.argument.split_once('.') {
+                Some((_, member)) => {
+                    // Options are one for all contacts.
+                    let one = [
+                        "kstrip_options",
+                        "kstrip_batch_inputs",
+                        "kstrip_batch_outputs",
+                        "kstrip_outputs",
+                        "kstrip_wheelset",
+                        "kstrip_track",
+                    ];
+                    let element = usize::from(many && !one.contains(&base(target)));
+                    format!("{name}[{element}].{member} = {value}")
+                }
+                None => format!("{} = {value}", case.argument),
+            },
+        };
+        text += &format!("    case {number}: {bad}; break;\n");
     }
     let untouched: Vec<String> =
         outputs.iter().map(|name| format!("poisoned({name}, sizeof {name})")).collect();
     let untouched = if untouched.is_empty() { "1".to_owned() } else { untouched.join(" && ") };
     text += &format!(
-        "        const long status = {}({});\n        \
-         printf(\"{number} %ld %d\\n\", status, {untouched});\n    }}\n",
+        "    }}\n    const long status = {}({});\n    \
+         printf(\"%d %ld %d\\n\", call, status, {untouched});\n",
         function.name,
         arguments.join(", ")
     );
-    text
+    format!("\nstatic void call_{}(int call)\n{{\n{text}}}\n", function.name)
 }
 
 /// The numbers in a structure as the tables name them, of arrays the first, with those of the
@@ -408,7 +414,6 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     let (good, rules) = page();
     let cases = cases(&declared, &rules);
 
-    // Blocks in functions of their own, so that no stack grows with the table
     let mut program = HEAD.to_owned();
     program += PLACES;
     for (real, suffix) in [("double", ""), ("float", "_f32")] {
@@ -416,20 +421,17 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     }
     let functions: Vec<&Function> =
         declared.functions.iter().filter(|f| f.kind == "kstrip_status").collect();
-    let mut blocks: Vec<String> = functions
-        .iter()
-        .enumerate()
-        .map(|(i, function)| block(cases.len() + i, None, function, &good))
-        .collect();
-    blocks.extend(cases.iter().enumerate().map(|(i, c)| block(i, Some(c), c.function, &good)));
-    for (i, block) in blocks.iter().enumerate() {
-        program += &format!("\nstatic void call_{i}(void)\n{{\n{block}}}\n");
+    let mut calls = String::new();
+    for (i, function) in functions.iter().enumerate() {
+        let own = |(_, case): &(usize, &Case)| case.function.name == function.name;
+        let own: Vec<(usize, &Case)> = cases.iter().enumerate().filter(own).collect();
+        program += &caller(function, &own, &good);
+        for number in own.iter().map(|(number, _)| *number).chain([cases.len() + i]) {
+            calls += &format!("    {{call_{}, {number}}},\n", function.name);
+        }
     }
-    // By pointers: a compiler that put all of them into main would take minutes.
-    program += "\nstatic void (*const calls[])(void) = {\n";
-    for i in 0..blocks.len() {
-        program += &format!("    call_{i},\n");
-    }
+    program += "\nstatic const struct { void (*call)(int); int number; } calls[] = {\n";
+    program += &calls;
     program += TAIL;
 
     let text = run_written(&write_scratch("bad_input.c", &program));
