@@ -143,6 +143,11 @@ impl Error {
         if holds { Ok(()) } else { Err(self) }
     }
 
+    /// This error, where a condition holds.
+    pub(crate) const fn when(self, holds: bool) -> Result<(), Self> {
+        self.unless(!holds)
+    }
+
     /// The one with the larger code.
     #[must_use]
     pub const fn worse(self, other: Self) -> Self {

@@ -112,11 +112,10 @@ impl<F: Float> Field<F> {
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();
         let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
-        if !contact.is_lost()
-            && !(contact.friction * contact.peak_pressure() * slip).is_finite_number()
-        {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.when(
+            !contact.is_lost()
+                && !(contact.friction * contact.peak_pressure() * slip).is_finite_number(),
+        )?;
         let law = match options.model {
             Model::Strip1967 if Model::HAS_STRIP_1967 => {
                 Tractions::Strip1967(parameters, SlidingRule::RigidSlip)

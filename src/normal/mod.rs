@@ -191,9 +191,7 @@ impl<F: Float> Indentation<F> {
             ..Self::none(profile)
         };
         let results = [found.approach, found.normal_force, found.stiffness, found.lowest];
-        if !results.iter().all(|result| result.is_finite_number()) {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(results.iter().all(|result| result.is_finite_number()))?;
         Ok(found)
     }
 
@@ -231,9 +229,7 @@ impl<F: Float> Indentation<F> {
             if strip.peak_pressure > self.peak_pressure {
                 (self.peak_pressure, self.peak_y) = (strip.peak_pressure, strip.y);
             }
-            if !take(strip) {
-                return Err(Error::PatchSize);
-            }
+            Error::PatchSize.unless(take(strip))?;
         }
         Ok(())
     }

@@ -61,12 +61,8 @@ impl<'a, F: Float> Profile<'a, F> {
         else {
             return Err(Error::Profile);
         };
-        if !(are_finite(y) && are_finite(distance)) {
-            return Err(Error::NotFinite);
-        }
-        if !y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next) {
-            return Err(Error::Profile);
-        }
+        Error::NotFinite.unless(are_finite(y) && are_finite(distance))?;
+        Error::Profile.unless(y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next))?;
         let lowest = distance.iter().fold(*first, |lowest, h| lowest.min(*h));
         let end = |y: Option<&F>| y.copied().unwrap_or(F::zero());
         let ends = [end(y.first()), end(y.last())];
@@ -115,9 +111,7 @@ impl<'a, F: Float> Profile<'a, F> {
     /// [`Error::RollingRadius`].
     pub fn with_rolling_radius(mut self, rolling_radius: &'a [F]) -> Result<Self, Error> {
         self.rolling_radius = self.of_each_point(rolling_radius)?;
-        if self.rolling_radius.iter().any(|radius| *radius <= F::zero()) {
-            return Err(Error::RollingRadius);
-        }
+        Error::RollingRadius.when(self.rolling_radius.iter().any(|radius| *radius <= F::zero()))?;
         Ok(self)
     }
 

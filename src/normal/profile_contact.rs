@@ -36,23 +36,13 @@ impl<F: Float> ProfileContact<F> {
         let given = self.given.number();
         let radius = if has_radii { F::one() } else { self.rolling_radius };
         let inputs = [radius, given, self.friction, self.smoothing_length];
-        if !inputs.iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if radius <= F::zero() {
-            return Err(Error::RollingRadius);
-        }
-        if matches!(self.given, Given::Load(load) if load < F::zero()) {
-            return Err(Error::NormalForce);
-        }
+        Error::NotFinite.unless(inputs.iter().all(|input| input.is_finite_number()))?;
+        Error::RollingRadius.when(radius <= F::zero())?;
+        Error::NormalForce.when(matches!(self.given, Given::Load(load) if load < F::zero()))?;
         check_modulus(self.shear_modulus)?;
         check_poisson_ratio(self.poisson_ratio)?;
-        if self.friction < F::zero() {
-            return Err(Error::Friction);
-        }
-        if self.smoothing_length < F::zero() {
-            return Err(Error::SmoothingLength);
-        }
+        Error::Friction.when(self.friction < F::zero())?;
+        Error::SmoothingLength.when(self.smoothing_length < F::zero())?;
         Ok(())
     }
 

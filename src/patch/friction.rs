@@ -133,9 +133,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         let law = SlipFriction { friction: F::one(), ..*law };
         law.check()?;
         let rigid_slip = solver::check_patch(patch, creepage, model)?;
-        if patch.shear_modulus() * law.slope_or_one() <= F::zero() {
-            return Err(Error::Modulus);
-        }
+        Error::Modulus.when(patch.shear_modulus() * law.slope_or_one() <= F::zero())?;
         let behind = law.has_interface().then(|| {
             let Interface { layer, slide } = law.interface(patch.shear_modulus(), F::one());
             PatchLayer { depth: layer, slide }

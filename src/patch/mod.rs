@@ -96,18 +96,10 @@ impl<F: Float> PatchStrip<F> {
     /// [`Error::NotFinite`], [`Error::StripSize`], [`Error::Pressure`], [`Error::Friction`].
     pub fn check(&self) -> Result<(), Error> {
         let Self { width, half_length, peak_pressure, friction, .. } = *self;
-        if !self.numbers().iter().all(|input| input.is_finite_number()) {
-            return Err(Error::NotFinite);
-        }
-        if width <= F::zero() || half_length <= F::zero() {
-            return Err(Error::StripSize);
-        }
-        if peak_pressure < F::zero() {
-            return Err(Error::Pressure);
-        }
-        if friction < F::zero() {
-            return Err(Error::Friction);
-        }
+        Error::NotFinite.unless(self.numbers().iter().all(|input| input.is_finite_number()))?;
+        Error::StripSize.when(width <= F::zero() || half_length <= F::zero())?;
+        Error::Pressure.when(peak_pressure < F::zero())?;
+        Error::Friction.when(friction < F::zero())?;
         Ok(())
     }
 
@@ -264,9 +256,7 @@ pub(crate) fn check_ellipse<F: Float>(
         let lobe = Contact { b, normal_force: load, friction, ..*contact };
         lobe.check().map_err(|_| Error::Overflow)?;
     }
-    if !(area * scale.area).is_finite_number() {
-        return Err(Error::Overflow);
-    }
+    Error::Overflow.unless((area * scale.area).is_finite_number())?;
     Ok(())
 }
 
@@ -286,9 +276,7 @@ pub(crate) fn ellipse<F: Float>(
             peak_pressure: contact.peak_pressure() * half_length,
             friction: contact.friction,
         };
-        if !take(strip) {
-            return Err(Error::PatchSize);
-        }
+        Error::PatchSize.unless(take(strip))?;
     }
     Ok(QuadratureScale { area: rule.stretch, lever: rule.lever })
 }

@@ -49,12 +49,8 @@ impl<'a, F: Float> PatchView<'a, F> {
         check_modulus(shear_modulus)?;
         check_poisson_ratio(poisson_ratio)?;
         for factor in [scale.area, scale.lever] {
-            if !factor.is_finite_number() || factor <= F::zero() {
-                return Err(Error::NotFinite);
-            }
-            if factor < F::constant(1e-6) || factor > F::constant(1e6) {
-                return Err(Error::Overflow);
-            }
+            Error::NotFinite.when(!factor.is_finite_number() || factor <= F::zero())?;
+            Error::Overflow.when(factor < F::constant(1e-6) || factor > F::constant(1e6))?;
         }
         let extremes = Extremes::new(strips);
         let are_usual = extremes.are_usual();
@@ -68,9 +64,7 @@ impl<'a, F: Float> PatchView<'a, F> {
             are_beside &= strip.is_beside(next);
             has_gaps |= strip.is_apart(next);
         }
-        if !are_beside {
-            return Err(Error::StripOrder);
-        }
+        Error::StripOrder.unless(are_beside)?;
         let mismatch = F::zero();
         let (sizes, whole, of_lobes) = (Sizes::new(strips, &extremes), None, [None; LOBES]);
         let mut view = Self {
@@ -96,18 +90,14 @@ impl<'a, F: Float> PatchView<'a, F> {
             }
             view.of_lobes = zones;
         }
-        if view.find_zone(|zone| zone.contact.check().err()).is_some() {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.when(view.find_zone(|zone| zone.contact.check().err()).is_some())?;
         if are_usual {
             return Ok(view);
         }
         for strip in strips {
             strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
             // The pressure of the circle is zero where its load underflows.
-            if !(strip.friction * strip.peak_pressure).is_finite_number() {
-                return Err(Error::Overflow);
-            }
+            Error::Overflow.unless((strip.friction * strip.peak_pressure).is_finite_number())?;
         }
         let sums = [view.friction_bound(), view.normal_force(), view.area() * scale.area];
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
@@ -120,9 +110,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// [`Error::NotFinite`]; [`Error::Overflow`] when the creepage that pressure adds does not fit
     /// the floating-point type.
     pub fn with_mismatch(mut self, mismatch: F) -> Result<Self, Error> {
-        if !mismatch.is_finite_number() {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(mismatch.is_finite_number())?;
         if mismatch == self.mismatch {
             return Ok(self);
         }

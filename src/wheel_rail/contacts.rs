@@ -327,9 +327,7 @@ pub fn from_gap<F: Float>(
         let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
         contact.fill(&view, strips, &pressed);
         contact.share = group.share.clamped(F::zero(), F::one());
-        if !contact.is_finite() {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(contact.is_finite())?;
         found.written += 1;
         if contact.is_conformal() {
             found.warning = Warning::AngleRange;

@@ -64,12 +64,8 @@ impl<F: Float> Scene<'_, F> {
         velocity: Option<&Velocity<F>>,
         memory: &mut Workspace<F>,
     ) -> Result<(F, Warning), Error> {
-        if !support.is_finite_number() {
-            return Err(Error::NotFinite);
-        }
-        if support <= F::zero() {
-            return Err(Error::NormalForce);
-        }
+        Error::NotFinite.unless(support.is_finite_number())?;
+        Error::NormalForce.when(support <= F::zero())?;
         self.pair.check()?;
         check_modulus(self.pair.shear_modulus)?;
         check_poisson_ratio(self.pair.poisson_ratio)?;

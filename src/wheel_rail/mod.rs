@@ -83,9 +83,7 @@ impl<F: Float> Position<F> {
     /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where yaw or roll are 1 or more in size.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
-        if !are_finite(&[lateral, vertical, yaw, roll]) {
-            return Err(Error::NotFinite);
-        }
+        Error::NotFinite.unless(are_finite(&[lateral, vertical, yaw, roll]))?;
         let upright = yaw.abs() < F::one() && roll.abs() < F::one();
         if upright { Ok(()) } else { Err(Error::ProfileEnd) }
     }
@@ -183,18 +181,11 @@ impl<F: Float> WheelPair<F> {
         let Self { rail_radius, rail_ahead, rail_speed, .. } = *self;
         let numbers = [wheel_radius, friction, smoothing_length, normal_damping, floor_speed];
         let of_rail = [rail_radius, rail_ahead, rail_speed];
-        if ![numbers.as_slice(), &of_rail, y, at].into_iter().all(are_finite) {
-            return Err(Error::NotFinite);
-        }
-        if wheel_radius <= F::zero() || rail_radius < F::zero() {
-            return Err(Error::RollingRadius);
-        }
-        if at.iter().chain([&friction]).any(|friction| *friction < F::zero()) {
-            return Err(Error::Friction);
-        }
-        if smoothing_length < F::zero() {
-            return Err(Error::SmoothingLength);
-        }
+        Error::NotFinite
+            .unless([numbers.as_slice(), &of_rail, y, at].into_iter().all(are_finite))?;
+        Error::RollingRadius.when(wheel_radius <= F::zero() || rail_radius < F::zero())?;
+        Error::Friction.when(at.iter().chain([&friction]).any(|friction| *friction < F::zero()))?;
+        Error::SmoothingLength.when(smoothing_length < F::zero())?;
         Error::NormalDamping.unless(normal_damping >= F::zero())?;
         Error::FloorSpeed.unless(floor_speed >= F::zero())?;
         let ascends = y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next);

@@ -62,18 +62,10 @@ impl<F: Float> Surface<F> {
         step: F,
         smoothing_length: F,
     ) -> Result<Warning, Error> {
-        if y.len() < 4 || y.len() != z.len() {
-            return Err(Error::Profile);
-        }
-        if ![y, z, &[step, smoothing_length]].into_iter().all(are_finite) {
-            return Err(Error::NotFinite);
-        }
-        if smoothing_length < F::zero() {
-            return Err(Error::SmoothingLength);
-        }
-        if step < F::zero() {
-            return Err(Error::Profile);
-        }
+        Error::Profile.when(y.len() < 4 || y.len() != z.len())?;
+        Error::NotFinite.unless([y, z, &[step, smoothing_length]].into_iter().all(are_finite))?;
+        Error::SmoothingLength.when(smoothing_length < F::zero())?;
+        Error::Profile.when(step < F::zero())?;
         let extents = [y, z].map(|list| {
             let least = list.iter().fold(F::LARGEST, |least, x| least.min(*x));
             let most = list.iter().fold(-F::LARGEST, |most, x| most.max(*x));
@@ -81,22 +73,16 @@ impl<F: Float> Surface<F> {
         });
         let [[left, right], [top, bottom]] = extents;
         let farthest = extents.iter().flatten().fold(F::zero(), |most, x| most.max(x.abs()));
-        if farthest > F::of(LARGEST) {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.when(farthest > F::of(LARGEST))?;
         let extent = distance([left, top], [right, bottom]);
-        if extent < F::of(SHORTEST) {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.when(extent < F::of(SHORTEST))?;
         let mut line = Polyline::new();
         let radius = line.follow(y, z, extent)?;
         let most = KSTRIP_SURFACE_CAPACITY as i32 - 1;
         let room = F::widened(most as f32);
         let length = line.length();
         let wanted = if step > F::zero() { step } else { length / room };
-        if length > wanted * room.plus(0.5) {
-            return Err(Error::Capacity);
-        }
+        Error::Capacity.when(length > wanted * room.plus(0.5))?;
         // From here on nothing fails, and the surface is written.
         let is_reversed = line.is_reversed();
         let given = F::widened((y.len() - 1) as f32);

@@ -216,12 +216,8 @@ pub fn touch<F: Float>(
     gap: &mut Gap<F>,
 ) -> Result<F, Error> {
     position.check()?;
-    if !are_finite(&[wheel_radius, reach]) {
-        return Err(Error::NotFinite);
-    }
-    if wheel_radius <= F::zero() {
-        return Err(Error::RollingRadius);
-    }
+    Error::NotFinite.unless(are_finite(&[wheel_radius, reach]))?;
+    Error::RollingRadius.when(wheel_radius <= F::zero())?;
     search(rail, wheel, Wheel::new(wheel_radius, position), position, reach, gap)
 }
 

@@ -61,17 +61,13 @@ impl<'a, F: Float> View<'a, F> {
         position.check()?;
         let position = position.mirrored(pair.left != 0);
         let count = gap.count as usize;
-        if count > KSTRIP_SURFACE_CAPACITY {
-            return Err(Error::Capacity);
-        }
+        Error::Capacity.when(count > KSTRIP_SURFACE_CAPACITY)?;
         let lists = gap.lists().map(|list| list.get(..count).unwrap_or(&[]));
         let [along, .., angle, rolling_radius] = lists;
         Error::NotFinite
             .unless(lists.into_iter().all(are_finite) && gap.step.is_finite_number())?;
         Error::SmoothingLength.unless(gap.step >= F::zero())?;
-        if rolling_radius.iter().any(|radius| *radius <= F::zero()) {
-            return Err(Error::RollingRadius);
-        }
+        Error::RollingRadius.when(rolling_radius.iter().any(|radius| *radius <= F::zero()))?;
         let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
         let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
         if ascends && upright {

@@ -100,9 +100,7 @@ pub fn of_contacts<F: Float>(
     mut derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
     let (velocity, zero) = (velocity.members(), F::zero());
-    if !are_finite(&velocity) {
-        return Err(Error::NotFinite);
-    }
+    Error::NotFinite.unless(are_finite(&velocity))?;
     if let Some(sums) = &mut derivatives {
         **sums = WrenchDerivatives { velocity: [[zero; 6]; 6], friction: [zero; 6] };
     }
@@ -110,12 +108,8 @@ pub fn of_contacts<F: Float>(
     let mut warning = Warning::None;
     for contact in contacts {
         let numbers = [contact.share, contact.normal_force, contact.own];
-        if !(are_finite(&contact.normal) && are_finite(&numbers)) {
-            return Err(Error::NotFinite);
-        }
-        if contact.share < zero || contact.normal_force < zero {
-            return Err(Error::NormalForce);
-        }
+        Error::NotFinite.unless(are_finite(&contact.normal) && are_finite(&numbers))?;
+        Error::NormalForce.when(contact.share < zero || contact.normal_force < zero)?;
         if contact.is_conformal() {
             warning = warning.worse(Warning::AngleRange);
         }
@@ -164,9 +158,7 @@ pub fn of_contacts<F: Float>(
         dissipation += carried.dissipation;
         warning = warning.worse(carried.warning);
     }
-    if !(are_finite(&sums) && are_finite(&[normal_force, dissipation])) {
-        return Err(Error::Overflow);
-    }
+    Error::Overflow.unless(are_finite(&sums) && are_finite(&[normal_force, dissipation]))?;
     if let Some(sums) = derivatives {
         let rows = sums.velocity.iter().flatten().chain(&sums.friction);
         Error::Overflow.unless(rows.into_iter().all(|entry| entry.is_finite_number()))?;
@@ -277,9 +269,7 @@ impl<F: Float> Pressed<'_, F> {
         let [forward, backward] = ends(rolling.speed_by_rolling)?;
         let by_mismatch = rolling.through_mismatch(self.patch.mismatch, ends)?;
         let slopes = rolling.slopes(&forward, &backward, by_mismatch);
-        if !slopes.entries().all(F::is_finite_number) {
-            return Err(Error::Overflow);
-        }
+        Error::Overflow.unless(slopes.entries().all(F::is_finite_number))?;
         Ok((joined_solutions(rolling, forward.solution, backward.solution), slopes))
     }
 }

@@ -157,12 +157,8 @@ impl<F: Float> Wheelset<'_, F> {
         }
         let forces = self.solve(&here, &moves, memory, None, None)?;
         let [down, over, about] = rest.map(F::abs);
-        if forces.wheel.iter().any(|wheel| wheel.contacts == 0) {
-            return Err(Error::WheelLifted);
-        }
-        if about > down.max(over) && about > F::of(1e-3) {
-            return Err(Error::ForceBeyondFriction);
-        }
+        Error::WheelLifted.when(forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
+        Error::ForceBeyondFriction.when(about > down.max(over) && about > F::of(1e-3))?;
         let warning = forces.wrench.warning.worse(Warning::NotConverged);
         Ok(Settled { position: here, velocity: moves, forces, warning })
     }
