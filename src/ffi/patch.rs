@@ -2,7 +2,7 @@
 
 use super::solve::OutputPlaces;
 use super::support::*;
-use crate::normal::cells::{CELLS, Given};
+use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
 
@@ -134,10 +134,25 @@ pub(super) fn from_profile<F: Float>(
         smoothing_length,
     };
     let count = strip_count(options.strips)?;
-    // One strip for each cell in contact.
-    let (patch, found) = Patch::<_, CELLS>::from_profile(profile, &contact, count)?;
-    StoredPatch::write(&patch.view()?, out);
+    let mut cells = Cells::none();
+    let mut found = Indentation::new(profile, &contact, count, &mut cells)?;
+    of_cells(&contact, &cells, &mut found, out)?;
     Ok(found)
+}
+
+/// Writes the patch of cells. (Out of line, so that it takes room on the stack only when they are
+/// solved.)
+#[inline(never)]
+fn of_cells<F: Float>(
+    contact: &ProfileContact<F>,
+    cells: &Cells<F, 1>,
+    found: &mut Indentation<F>,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<(), Error> {
+    // One strip for each cell in contact.
+    let patch = Patch::<_, CELLS>::of_cells(contact, cells, found)?;
+    StoredPatch::write(&patch.view()?, out);
+    Ok(())
 }
 
 pub(super) fn evaluate_patch<F: Float>(

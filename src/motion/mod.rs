@@ -223,7 +223,7 @@ impl<F: Float> Rolling<F> {
     /// results are those of this end, and one of them has a share of zero.
     pub(crate) fn each_end<S: Copy>(
         &self,
-        solve: impl Fn(&Creepage<F>, bool) -> Result<S, Error>,
+        mut solve: impl FnMut(&Creepage<F>, bool) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
@@ -256,7 +256,7 @@ impl<F: Float> Rolling<F> {
     pub(crate) fn through_mismatch(
         &self,
         mismatch: F,
-        ends: impl Fn(F) -> Result<[Differentiated<F>; 2], Error>,
+        ends: impl FnOnce(F) -> Result<[Differentiated<F>; 2], Error>,
     ) -> Result<[F; 3], Error> {
         if mismatch == F::zero() {
             return Ok([F::zero(); 3]);

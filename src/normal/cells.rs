@@ -19,10 +19,10 @@
 //! that of its neighbour in the zone, `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`,
 //! and takes the neighbour's value as its width vanishes.
 
+pub use crate::normal::cell::CELLS;
+pub(crate) use crate::normal::cell::{Cell, Cells};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
-pub use crate::normal::layout::CELLS;
-use crate::normal::layout::CellPlaces;
 use crate::normal::profile::WithSlope;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Number, Strips};
@@ -51,102 +51,28 @@ impl<F> Given<F> {
     }
 }
 
-/// A cell of the normal problem.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Cell<F, const N: usize> {
-    /// Middle line \[m\].
-    pub y: WithSlope<F, N>,
-    /// Width \[m\].
-    pub width: WithSlope<F, N>,
-    /// Undeformed distance on the middle line \[m\].
-    pub distance: WithSlope<F, N>,
-    /// Rolling radius `R` \[m\].
-    pub rolling_radius: WithSlope<F, N>,
-    /// Centre along `x` \[m\].
-    pub centre_x: WithSlope<F, N>,
-    /// Half length \[m\].
-    pub half_length: WithSlope<F, N>,
-    /// `p/(π E*)`; zero where the bodies do not touch.
-    pub pressure: WithSlope<F, N>,
-    /// Whether the bodies touch.
-    pub touches: bool,
-    /// Where the conditions of contact hold \[m\].
-    at: WithSlope<F, N>,
-    /// `κ` to the cell before and to the cell after.
-    coupling: [WithSlope<F, N>; 2],
-    /// `κ` to a pressure of zero.
-    alone: WithSlope<F, N>,
-}
-
-impl<F: Float, const N: usize> Cell<F, N> {
-    /// `(π/2) a w p/(π E*)`
-    pub fn load(&self) -> WithSlope<F, N> {
-        (self.half_length * self.width * self.pressure).times(FRAC_PI_2)
-    }
-}
-
-/// Cells in ascending `y`.
-#[derive(Clone, Debug)]
-pub(crate) struct Cells<F, const N: usize> {
-    pub list: Vec<Cell<F, N>, CELLS>,
-}
-
 impl<F: Float, const N: usize> Cells<F, N> {
-    /// Cells at their places; `of` gives distance, rolling radius and half length of each, and
-    /// whether it may touch, and `centre_x` the centre.
-    pub(super) fn place(
+    /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
+    /// of each, and whether it may touch, and `centre_x` the centre.
+    pub(super) fn fill(
         &mut self,
-        places: &CellPlaces<F, N>,
         of: impl Fn(WithSlope<F, N>) -> ([WithSlope<F, N>; 3], bool),
         centre_x: impl Fn(WithSlope<F, N>) -> WithSlope<F, N>,
     ) {
-        let list = &mut self.list;
-        list.clear();
-        for place in places {
-            let ([distance, rolling_radius, half_length], touches) = of(place.at);
-            let _ = list.push(Cell {
-                y: place.y,
-                width: place.width,
-                distance,
-                rolling_radius,
-                centre_x: centre_x(place.y),
-                half_length,
-                pressure: WithSlope::zero(),
-                touches,
-                at: place.at,
-                coupling: place.coupling,
-                alone: place.alone,
-            });
+        for cell in &mut self.list {
+            let ([distance, rolling_radius, half_length], touches) = of(cell.at);
+            (cell.distance, cell.rolling_radius) = (distance, rolling_radius);
+            (cell.half_length, cell.touches) = (half_length, touches);
+            cell.centre_x = centre_x(cell.y);
         }
-    }
-
-    /// `N/(π E*)`
-    pub(crate) fn load(&self) -> WithSlope<F, N> {
-        self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
-    }
-
-    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load, of
-    /// numbers that `of` makes.
-    pub(crate) fn means(&self, of: impl Fn(WithSlope<F, N>) -> F) -> [F; 2] {
-        let (mut sum, mut weight) = (F::zero(), F::TINY);
-        let (mut widths, mut loads) = (F::zero(), F::TINY);
-        for cell in &self.list {
-            let (a, p, width) = (of(cell.half_length), of(cell.pressure), of(cell.width));
-            let load = p * width;
-            sum += load * a * p;
-            weight += load * a * a;
-            widths += load * a * width;
-            loads += load * a;
-        }
-        [sum / weight, widths / loads]
     }
 
     /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns
     /// the approach.
     #[inline(never)]
-    pub(crate) fn press(
+    pub(crate) fn press<const ROOM: usize>(
         &mut self,
-        equations: &mut Equations<F, N>,
+        equations: &mut Equations<F, N, ROOM>,
         given: Given<WithSlope<F, N>>,
     ) -> WithSlope<F, N> {
         equations.make_room(self.list.len());

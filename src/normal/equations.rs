@@ -3,7 +3,7 @@
 //!
 //! Rows are padded with zeros to fours, which fill a register.
 
-use crate::normal::layout::CELLS;
+use crate::normal::cell::CELLS;
 use crate::normal::profile::WithSlope;
 use crate::number::Float;
 use crate::number::avx::with_avx;
@@ -15,22 +15,22 @@ const _: () = assert!(CELLS.is_multiple_of(4));
 /// One number for each cell; zero past the last.
 pub(super) type Column<F> = [F; CELLS];
 
-/// The equation of a cell.
-struct Row<F, const N: usize> {
+/// The equation of a cell, with room for so many, a multiple of four.
+struct Row<F, const N: usize, const ROOM: usize> {
     /// `∂u_i/∂p_j`
-    influence: Column<F>,
+    influence: [F; ROOM],
     /// Their derivatives.
-    slopes: [Column<F>; N],
+    slopes: [[F; ROOM]; N],
     /// Of Gauss's elimination.
-    factors: Column<F>,
+    factors: [F; ROOM],
 }
 
-/// The equations of as many cells as there are.
-pub(crate) struct Equations<F, const N: usize> {
-    rows: Vec<Row<F, N>, CELLS>,
+/// The equations of as many cells as there are, with room for so many.
+pub(crate) struct Equations<F, const N: usize, const ROOM: usize> {
+    rows: Vec<Row<F, N, ROOM>, ROOM>,
 }
 
-impl<F: Float, const N: usize> Equations<F, N> {
+impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     #[inline(always)]
     pub(super) fn new() -> Self {
         Self { rows: Vec::new() }
@@ -38,7 +38,7 @@ impl<F: Float, const N: usize> Equations<F, N> {
 
     /// Makes room for so many cells, in place.
     pub(super) fn make_room(&mut self, count: usize) {
-        let none = [F::zero(); CELLS];
+        let none = [F::zero(); ROOM];
         let row = || Row { influence: none, slopes: [none; N], factors: none };
         while self.rows.len() < count && self.rows.push(row()).is_ok() {}
     }
@@ -77,8 +77,8 @@ impl<F: Float, const N: usize> Equations<F, N> {
     /// Solves the equations of the touching cells for two right-hand sides, in place; zero for the
     /// others.
     pub(super) fn solve(&mut self, touching: &[usize], sides: &mut [Column<F>; 2]) {
-        with_avx!(if 1 => <F: Float; N>(
-            equations: &mut Equations<F, N> = self,
+        with_avx!(if 1 => <F: Float; N, ROOM>(
+            equations: &mut Equations<F, N, ROOM> = self,
             touching: &[usize],
             sides: &mut [Column<F>; 2]
         ) -> () {
@@ -98,8 +98,8 @@ impl<F: Float, const N: usize> Equations<F, N> {
         pressures: &Column<F>,
         side: &mut Column<F>,
     ) {
-        with_avx!(if 1 => <F: Float; N>(
-            equations: &Equations<F, N> = self,
+        with_avx!(if 1 => <F: Float; N, ROOM>(
+            equations: &Equations<F, N, ROOM> = self,
             direction: usize,
             touching: &[usize],
             pressures: &Column<F>,
@@ -184,7 +184,7 @@ impl<F: Float, const N: usize> Equations<F, N> {
 
 /// `Σ x_i y_i` over some of the fours, in four sums.
 #[inline(always)]
-fn product<F: Float>(x: &Column<F>, y: &Column<F>, fours: Range<usize>) -> F {
+fn product<F: Float>(x: &[F], y: &[F], fours: Range<usize>) -> F {
     let [x, y] = [x, y].map(|list| list.as_chunks::<4>().0.get(fours.clone()).unwrap_or(&[]));
     let mut sums = [F::zero(); 4];
     for (x, y) in x.iter().zip(y) {

@@ -11,8 +11,9 @@
 //!
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
+use crate::normal::cell::{Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
-use crate::normal::layout::{CellPlace, CellPlaces, layout, lean};
+use crate::normal::layout::{layout, lean};
 use crate::normal::profile::WithSlope;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::avx::with_avx;
@@ -51,15 +52,16 @@ const EDGES: usize = 2 * (COUNT + ZONES);
 const FOURS: usize = EDGES.div_ceil(4);
 
 impl<F: Float, const N: usize> Estimate<F, N> {
-    /// The load alone. (Out of line, so that only this function keeps the places.)
+    /// The load alone. (Out of line, so that only this function keeps the edges.)
     #[inline(never)]
     pub fn load(
         curve: &SmoothedProfile<F, N>,
         approach: WithSlope<F, N>,
         radius: WithSlope<F, N>,
+        cells: &mut Cells<F, N>,
     ) -> WithSlope<F, N> {
         let mut estimate = Self::nothing();
-        estimate.fill(curve, approach, |_| radius);
+        estimate.fill(curve, approach, cells, |_| radius);
         estimate.load
     }
 
@@ -70,25 +72,24 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 
     /// The estimate for an approach, from none; `radius` gives the rolling radius of places with
-    /// their depths. (It is written where it stays: a copy would take room on the stack.)
+    /// their depths, and `cells` is memory. (It is written where it stays: a copy would take room
+    /// on the stack.)
     #[inline(never)]
     pub fn fill(
         &mut self,
         curve: &SmoothedProfile<F, N>,
         approach: WithSlope<F, N>,
+        cells: &mut Cells<F, N>,
         radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
     ) {
         let level = approach.times(OVERLAP);
-        let mut zones = Zones::new(approach, curve.smoothing());
-        curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
-        let zero = WithSlope::zero();
-        let mut places: CellPlaces<F, N> = Vec::new();
-        layout(&zones, COUNT, &mut places);
-        lean(&mut places);
+        place_loads(curve, (approach, level), cells);
+        lean(cells);
+        let (zero, places) = (WithSlope::zero(), &cells.list);
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<WithSlope<F, N>, EDGES> = Vec::new();
         let (mut edges, mut growth) = (Vec::new(), Vec::new());
-        for place in &places {
+        for place in places {
             let q = (level - curve.at(place.at)).max(zero);
             add_load(&mut edges, &mut growth, place, q);
             load += q * place.width;
@@ -174,11 +175,23 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 }
 
+/// Lays cells out where the curve is below a level. (Out of line: the zones need not be kept.)
+#[inline(never)]
+fn place_loads<F: Float, const N: usize>(
+    curve: &SmoothedProfile<F, N>,
+    (approach, level): (WithSlope<F, N>, WithSlope<F, N>),
+    cells: &mut Cells<F, N>,
+) {
+    let mut zones = Zones::new(approach, curve.smoothing());
+    curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
+    layout(&zones, COUNT, cells);
+}
+
 /// Adds the load per width of a place. Neighbours share an edge.
 fn add_load<F: Float, const N: usize>(
     edges: &mut Vec<WithSlope<F, N>, EDGES>,
     growth: &mut Vec<WithSlope<F, N>, EDGES>,
-    place: &CellPlace<F, N>,
+    place: &Cell<F, N>,
     density: WithSlope<F, N>,
 ) {
     let half = place.width.times(0.5);

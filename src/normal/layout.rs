@@ -4,36 +4,10 @@
 //! them is divided into equal parts. A cell is cut where a zone ends. The cells do not depend on
 //! where the points of the profile lie.
 
+use crate::normal::cell::{CELLS, Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
-use heapless::Vec;
-
-/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
-/// patches asked for with 32 and 64 strips have fewer.
-pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
-/// The place of a cell, or of a part of one, on the line `x = 0`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct CellPlace<F, const N: usize> {
-    /// Its middle \[m\].
-    pub y: WithSlope<F, N>,
-    /// Its width \[m\].
-    pub width: WithSlope<F, N>,
-    /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
-    /// hardly a gap between them, at the middle of both.
-    pub at: WithSlope<F, N>,
-    /// How strongly the pressure is coupled to that of the place before and to that of the place
-    /// after, `κ` \[m\].
-    pub coupling: [WithSlope<F, N>; 2],
-    /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
-    pub alone: WithSlope<F, N>,
-    /// Share of a whole cell.
-    share: WithSlope<F, N>,
-    /// Number of the cell that it is a part of.
-    cell: i32,
-    /// Number of its zone.
-    zone: usize,
-}
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
 const LEANING: f64 = 0.3;
@@ -42,18 +16,16 @@ const NEAR: f64 = 0.5;
 /// Square of the least gap, over that.
 const CLOSEST: f64 = 1e-6;
 
-pub(super) type CellPlaces<F, const N: usize> = Vec<CellPlace<F, N>, CELLS>;
-
 /// At most `count` cells, and one more for each zone but the first: the density of the zones
-/// decides how wide they are. (The cells are written where they stay: a copy would take room on the
-/// stack.) Returns the integral of the density.
+/// decides how wide they are. Returns the integral of the density.
 #[inline(never)]
 pub(super) fn layout<F: Float, const N: usize>(
     zones: &Zones<F, N>,
     count: usize,
-    places: &mut CellPlaces<F, N>,
+    cells: &mut Cells<F, N>,
 ) -> WithSlope<F, N> {
-    places.clear();
+    let list = &mut cells.list;
+    list.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
     let (mut total, mut far) = (WithSlope::zero(), F::zero());
     zones.stretches(&mut |_, stretch| {
@@ -72,17 +44,8 @@ pub(super) fn layout<F: Float, const N: usize>(
         let share = to.at - from.at;
         if share.value > least {
             let y = (from.place + to.place).times(0.5);
-            let (width, coupling, alone) = (to.place - from.place, [zero; 2], zero);
-            let _ = places.push(CellPlace {
-                y,
-                width,
-                at: y,
-                coupling,
-                alone,
-                share,
-                cell,
-                zone: from.zone,
-            });
+            let width = to.place - from.place;
+            let _ = list.push(Cell::at_place([y, width, share], cell, from.zone as u32));
         }
     };
     let mut last = own;
@@ -133,61 +96,80 @@ struct Cut<F, const N: usize> {
 /// their nearness over the free length between, its parts are coupled to a pressure of zero with
 /// `κ = 0.3 w (1 − r)²/r`.
 #[inline(never)]
-pub(super) fn lean<F: Float, const N: usize>(places: &mut CellPlaces<F, N>) {
-    let known = places.clone();
-    let [total, all] = known.iter().fold([WithSlope::zero(); 2], |[width, share], part| {
+pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
+    let list = &mut cells.list;
+    let [total, all] = list.iter().fold([WithSlope::zero(); 2], |[width, share], part| {
         [width + part.width, share + part.share]
     });
     let half_cell = (total / all.shift(F::TINY)).times(NEAR).squared();
-    for (i, place) in places.iter_mut().enumerate() {
-        let whole = place.share.value >= F::one() - F::EPSILON.times(256.0);
-        let parts = known.iter().filter(|part| part.cell == place.cell);
-        let width = parts.fold(WithSlope::zero(), |sum, part| sum + part.width);
-        if whole {
-            continue;
+    for i in 0..list.len() {
+        let leaning = Leaning::new(list, i, half_cell);
+        if let (Some(leaning), Some(own)) = (leaning, list.get_mut(i)) {
+            (own.at, own.coupling, own.alone) = (leaning.at, leaning.coupling, leaning.alone);
         }
+    }
+}
+
+/// What [`lean`] makes of a part.
+struct Leaning<F, const N: usize> {
+    at: WithSlope<F, N>,
+    coupling: [WithSlope<F, N>; 2],
+    alone: WithSlope<F, N>,
+}
+
+impl<F: Float, const N: usize> Leaning<F, N> {
+    /// None for a whole cell.
+    fn new(known: &[Cell<F, N>], i: usize, half_cell: WithSlope<F, N>) -> Option<Self> {
+        let place = known.get(i)?;
+        if place.share.value >= F::one() - F::EPSILON.times(256.0) {
+            return None;
+        }
+        let parts = known.iter().filter(|part| part.number == place.number);
+        let width = parts.fold(WithSlope::zero(), |sum, part| sum + part.width);
         let reach = width.times(NEAR).squared();
-        let sides = [-1, 1].map(|step| Beside::new(&known, i, step, reach));
+        let sides = [-1, 1].map(|step| Beside::new(known, i, step, reach));
         let own = [place.width, place.share, place.width * place.y];
         let [below, above] = &sides;
         let [near, share, moment] = added(&added(&own, &below.near), &above.near);
-        place.at = moment / near;
         // κ over the part's own width
         let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
         let rest = (WithSlope::one() - share).max(WithSlope::zero());
-        let zone = zone_share(&known, i, half_cell);
+        let zone = zone_share(known, i, half_cell);
+        let zero = WithSlope::zero();
+        let mut leaning = Self { at: moment / near, coupling: [zero; 2], alone: zero };
         if zone.value < F::one() {
             let rest = WithSlope::one() - zone;
-            place.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
+            leaning.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
         }
         let by_zone = cell * rest.squared() / share * near * per_width;
-        for (k, (side, coupling)) in sides.iter().zip(&mut place.coupling).enumerate() {
+        for (k, (side, coupling)) in sides.iter().zip(&mut leaning.coupling).enumerate() {
             let [inner, _, _] = added(&own, if k == 0 { &above.near } else { &below.near });
             let next = if k == 0 { i.checked_sub(1) } else { Some(i + 1) };
             let Some(next) = next.and_then(|next| known.get(next)) else { continue };
             *coupling = if next.zone == place.zone {
                 by_zone
-            } else if next.cell == place.cell {
+            } else if next.number == place.number {
                 let both = inner * side.outer / (inner + side.outer);
                 let closeness = reach / (side.gap.squared() + reach.times(CLOSEST));
                 width.times(LEANING) * both * closeness * per_width
             } else {
-                WithSlope::zero()
+                zero
             };
         }
+        Some(leaning)
     }
 }
 
 /// Share of a whole cell that a place's zone has, with other zones by their nearness.
 fn zone_share<F: Float, const N: usize>(
-    known: &CellPlaces<F, N>,
+    known: &[Cell<F, N>],
     from: usize,
     half_cell: WithSlope<F, N>,
 ) -> WithSlope<F, N> {
     let mut sum = WithSlope::zero();
     let Some((before, rest)) = known.split_at_checked(from) else { return sum };
-    let mut add = |parts: &mut dyn Iterator<Item = &CellPlace<F, N>>, skipped: usize| {
-        let (mut free, mut last) = (WithSlope::zero(), None::<&CellPlace<F, N>>);
+    let mut add = |parts: &mut dyn Iterator<Item = &Cell<F, N>>, skipped: usize| {
+        let (mut free, mut last) = (WithSlope::zero(), None::<&Cell<F, N>>);
         for (k, part) in parts.enumerate() {
             if let Some(last) = last.filter(|last| last.zone != part.zone) {
                 let apart = part.y - last.y;
@@ -226,7 +208,7 @@ struct Beside<F, const N: usize> {
 }
 
 impl<F: Float, const N: usize> Beside<F, N> {
-    fn new(known: &CellPlaces<F, N>, from: usize, step: isize, reach: WithSlope<F, N>) -> Self {
+    fn new(known: &[Cell<F, N>], from: usize, step: isize, reach: WithSlope<F, N>) -> Self {
         let zero = WithSlope::zero();
         let mut beside = Self { near: [zero; 3], gap: zero, outer: zero };
         let (mut nearness, mut to_next) = (WithSlope::one(), None::<WithSlope<F, N>>);
@@ -234,7 +216,7 @@ impl<F: Float, const N: usize> Beside<F, N> {
         while let (Some(own), Some(next)) =
             (known.get(k), k.checked_add_signed(step).and_then(|next| known.get(next)))
         {
-            if next.cell != own.cell || next.zone == own.zone {
+            if next.number != own.number || next.zone == own.zone {
                 break;
             }
             let apart = next.y - own.y;

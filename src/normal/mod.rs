@@ -15,6 +15,7 @@
 //! changes a value where it switches. Therefore load, approach and strips are continuous functions
 //! of load, approach and distances, and the stiffness is the derivative of the computed load.
 
+mod cell;
 pub mod cells;
 pub(crate) mod crossings;
 mod density;
@@ -33,7 +34,7 @@ mod skew;
 pub(crate) mod smooth;
 
 use crate::contact::totals::StripCount;
-use crate::normal::cells::{Cells, Given};
+use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::equations::Equations;
 use crate::normal::outline::Outline;
 pub use crate::normal::profile::Profile;
@@ -44,7 +45,6 @@ use crate::number::{Arithmetic, Float, Number};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
 use core::f64::consts::PI;
-use heapless::Vec;
 
 /// Number of corrections of the lengths.
 const PASSES: usize = 2;
@@ -95,7 +95,7 @@ impl<F: Float> Indentation<F> {
         }
     }
 
-    /// Solves the contact, and hands the strips that touch to `take`.
+    /// Solves the contact; `cells` receives what strips are made of, nothing without contact.
     ///
     /// # Errors
     /// Those of [`Patch::from_profile`].
@@ -103,9 +103,13 @@ impl<F: Float> Indentation<F> {
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
         count: StripCount,
-        take: impl FnMut(PatchStrip<F>) -> bool,
+        cells: &mut Cells<F, 1>,
     ) -> Result<Self, Error> {
+        // (the first guess of the approach takes a radius)
+        let rolling_radius = profile.first_radius(contact.rolling_radius);
+        let contact = &ProfileContact { rolling_radius, ..*contact };
         contact.check(profile.has_radii())?;
+        cells.list.clear();
         let value = contact.given.number();
         if value <= F::zero() {
             return Ok(Self::none(profile));
@@ -117,13 +121,10 @@ impl<F: Float> Indentation<F> {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
         };
-        let mut cells = Cells { list: Vec::new() };
-        let Some(outline) = Outline::new(profile, contact, given, count, &mut cells)? else {
+        let Some(outline) = Outline::new(profile, contact, given, count, cells)? else {
             return Ok(Self::none(profile));
         };
-        let mut found = Self::pressed(profile, contact, &mut cells, outline)?;
-        found.strips(contact, &cells, |number| number.value, take)?;
-        Ok(found)
+        Self::pressed(profile, contact, cells, outline)
     }
 
     /// The same of a part of the curve of two surfaces, for a given approach, whose derivatives
@@ -235,15 +236,32 @@ impl<F: Float> Indentation<F> {
     }
 }
 
-/// Pressures and corrected lengths of the cells; the approach. (Out of line, so that the
-/// equations take no room while the outline is made.)
-#[inline(never)]
+/// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
+/// need no memory for more.
+const FEW: usize = if CELLS < 28 { CELLS } else { 28 };
+
+/// Pressures and corrected lengths of the cells; the approach.
 fn solve_pressures<F: Float, const N: usize>(
     cells: &mut Cells<F, N>,
     power: WithSlope<F, N>,
     given: Given<WithSlope<F, N>>,
 ) -> WithSlope<F, N> {
-    let mut equations = Equations::new();
+    if CELLS == FEW || cells.list.len() <= FEW {
+        press_and_correct::<F, N, FEW>(cells, power, given)
+    } else {
+        press_and_correct::<F, N, CELLS>(cells, power, given)
+    }
+}
+
+/// The same with room for so many cells. (Out of line, so that only here the equations take room on
+/// the stack.)
+#[inline(never)]
+fn press_and_correct<F: Float, const N: usize, const ROOM: usize>(
+    cells: &mut Cells<F, N>,
+    power: WithSlope<F, N>,
+    given: Given<WithSlope<F, N>>,
+) -> WithSlope<F, N> {
+    let mut equations = Equations::<F, N, ROOM>::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {
         cells.correct(power);
@@ -286,13 +304,24 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         contact: &ProfileContact<F>,
         count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
-        // (the first guess of the approach takes a radius)
-        let rolling_radius = profile.first_radius(contact.rolling_radius);
-        let contact = &ProfileContact { rolling_radius, ..*contact };
+        let mut cells = Cells::none();
+        let mut found = Indentation::new(profile, contact, count, &mut cells)?;
+        Ok((Self::of_cells(contact, &cells, &mut found)?, found))
+    }
+
+    /// The strips of cells; completes the result.
+    ///
+    /// # Errors
+    /// Those of [`Patch::from_profile`].
+    pub(crate) fn of_cells(
+        contact: &ProfileContact<F>,
+        cells: &Cells<F, 1>,
+        found: &mut Indentation<F>,
+    ) -> Result<Self, Error> {
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
-        let found =
-            Indentation::new(profile, contact, count, |strip| patch.strips.push(strip).is_ok())?;
+        let take = |strip| patch.strips.push(strip).is_ok();
+        found.strips(contact, cells, |number| number.value, take)?;
         patch.check(found.normal_force)?;
-        Ok((patch, found))
+        Ok(patch)
     }
 }

@@ -3,13 +3,12 @@
 use crate::normal::directions::{Moves, TOGETHER};
 use crate::normal::parabola::STEPS;
 use crate::normal::profile::{Profile, WithSlope};
-use crate::normal::smooth::{Knot, SmoothedProfile, low_level};
+use crate::normal::smooth::{SmoothedProfile, low_level};
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::numerics::parabola::NormalEquations;
 use core::cell::Cell;
-use heapless::Vec;
 
 /// A number with its derivatives.
 pub(crate) type Directed<F> = WithSlope<F, TOGETHER>;
@@ -185,33 +184,12 @@ impl<F: Float> Moving<'_, F> {
 }
 
 impl<F: Float> SmoothedProfile<F, TOGETHER> {
-    /// A curve of surfaces with the derivatives that it has as the points move.
-    #[inline(never)]
-    pub(crate) fn moving(
-        still: &SmoothedProfile<F, 1>,
-        profile: &Profile<F>,
-        points: &dyn Moves<F>,
-        length: F,
-    ) -> Self {
+    /// Gives a curve of surfaces, none of which is left out, the derivatives that it has as the
+    /// points move.
+    pub(crate) fn follow(&mut self, profile: &Profile<F>, points: &dyn Moves<F>, length: F) {
         let [first, last] = profile.ends;
         let length = length.min(last - first);
-        let of = |own: WithSlope<F, 1>| Directed::from_base(own.value);
-        let SmoothedProfile { zero, range, ends, is_wide, .. } = *still;
-        let [lowest, smoothing] = [still.lowest, still.length].map(of);
-        let knots = Vec::new();
-        let still_knots = &still.knots;
-        let still = false;
-        let mut curve =
-            Self { knots, lowest, zero, range, ends, length: smoothing, is_wide, still };
-        for Knot { y, height, slope, joined } in still_knots {
-            let [y, height, slope] = [*y, *height, *slope].map(of);
-            let _ = curve.knots.push(Knot { y, height, slope, joined: *joined });
-        }
-        curve.follow(profile, points, length);
-        curve
-    }
-
-    fn follow(&mut self, profile: &Profile<F>, points: &dyn Moves<F>, length: F) {
+        (self.still, self.lowest) = (false, Directed::from_base(self.zero));
         with_avx!(if 1 => <F: Float>(
             curve: &mut SmoothedProfile<F, TOGETHER> = self,
             profile: &Profile<F>,

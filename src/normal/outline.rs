@@ -2,7 +2,8 @@
 //! and the power by which these are corrected.
 
 use crate::contact::totals::StripCount;
-use crate::normal::cells::{Cells, Given};
+use crate::normal::cell::Cells;
+use crate::normal::cells::Given;
 use crate::normal::density::Zones;
 use crate::normal::estimate::{Estimate, OVERLAP};
 use crate::normal::layout::{layout, lean};
@@ -12,7 +13,6 @@ use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 use core::f64::consts::PI;
-use heapless::Vec;
 
 /// Share of the estimated deflection that lies between the undeformed bodies at the edge of the
 /// contact.
@@ -84,13 +84,13 @@ impl<F: Float> Outline<F, 1> {
             Given::Load(load) => {
                 curve.still = true;
                 let still_radius = WithSlope::from_base(radius_there.value);
-                let load_at = |approach| Estimate::load(&curve, approach, still_radius);
+                let load_at = |approach| Estimate::load(&curve, approach, still_radius, cells);
                 let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
                 curve.still = false;
                 iterations += steps;
                 // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
                 let here = WithSlope::from_base(found.value);
-                let [by_curve] = Estimate::load(&curve, here, radius_there).gradient;
+                let [by_curve] = Estimate::load(&curve, here, radius_there, cells).gradient;
                 let ([by_load], [unit]) = (found.gradient, load.gradient);
                 let rest = F::one() - by_curve / unit;
                 WithSlope { value: found.value, gradient: [by_load * rest] }
@@ -114,6 +114,7 @@ impl<F: Float> Outline<F, 1> {
 
 impl<F: Float, const N: usize> Outline<F, N> {
     /// The cells of a curve for an approach.
+    #[inline(never)]
     pub fn with_cells(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
@@ -123,45 +124,67 @@ impl<F: Float, const N: usize> Outline<F, N> {
         count: StripCount,
         cells: &mut Cells<F, N>,
     ) -> Self {
-        let mut zones = Zones::new(approach, curve.smoothing());
-        let (at_end, mean_radius) = touching(curve, approach, radius, &mut zones);
-        let mut places = Vec::new();
-        let width = layout(&zones, number_of_cells(count), &mut places);
-        lean(&mut places);
-        let first_lengths = Lengths::new(width, mean_radius, approach);
+        let Touching { at_end, radius, width } = touching(curve, approach, radius, count, cells);
+        lean(cells);
+        let first_lengths = Lengths::new(width, radius, approach);
         let of = |y| {
             let height = curve.at(y);
             let radius = profile.rolling_radius(y, contact.rolling_radius);
             let touches = approach.value.times(OVERLAP) > height.value;
             ([height, radius, first_lengths.at(height, radius)], touches)
         };
-        cells.place(&places, of, |y| profile.centre_x(y));
+        cells.fill(of, |y| profile.centre_x(y));
         let power = first_lengths.power(given);
         Self { given, power, iterations: 0, at_end, lowest: F::zero() }
     }
 }
 
-/// Zones where the bodies touch by the estimate; returns whether one of them ends with the profile,
-/// and the rolling radius. (Out of line: the estimate need not be kept while the cells are made.)
+/// Where bodies touch by the estimate.
+struct Touching<F, const N: usize> {
+    /// Whether a zone ends with the profile.
+    at_end: bool,
+    /// Rolling radius \[m\].
+    radius: WithSlope<F, N>,
+    /// Integral of the density of cells \[m\].
+    width: WithSlope<F, N>,
+}
+
+/// Lays cells out where the bodies touch by the estimate. (Out of line: the estimate need not be
+/// kept while the cells are filled.)
 #[inline(never)]
 fn touching<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
     approach: WithSlope<F, N>,
-    radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
-    zones: &mut Zones<F, N>,
-) -> (bool, WithSlope<F, N>) {
+    of_loads: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
+    count: StripCount,
+    cells: &mut Cells<F, N>,
+) -> Touching<F, N> {
     let mut estimate = Estimate::nothing();
-    let mut mean_radius = WithSlope::zero();
-    estimate.fill(curve, approach, |loads| {
-        mean_radius = radius(loads);
-        mean_radius
+    let mut radius = WithSlope::zero();
+    estimate.fill(curve, approach, cells, |loads| {
+        radius = of_loads(loads);
+        radius
     });
-    let at_end = curve.zones(zones, |y, height, slope| {
+    let (at_end, width) = cells_of_zones(curve, &estimate, approach, number_of_cells(count), cells);
+    Touching { at_end, radius, width }
+}
+
+/// The part of it that needs the zones.
+#[inline(never)]
+fn cells_of_zones<F: Float, const N: usize>(
+    curve: &SmoothedProfile<F, N>,
+    estimate: &Estimate<F, N>,
+    approach: WithSlope<F, N>,
+    count: usize,
+    cells: &mut Cells<F, N>,
+) -> (bool, WithSlope<F, N>) {
+    let mut zones = Zones::new(approach, curve.smoothing());
+    let at_end = curve.zones(&mut zones, |y, height, slope| {
         let [deflection, bend] = estimate.deflection(y);
         let height = height - approach + deflection.times(DEFLECTED);
         [height, slope + bend.times(DEFLECTED)]
     });
-    (at_end, mean_radius)
+    (at_end, layout(&zones, count, cells))
 }
 
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when

@@ -315,11 +315,11 @@ pub(crate) struct Visited<F: Float> {
     pub warning: Warning,
 }
 
-/// Passes the forces of every strip, with derivatives, to `visit`.
+/// Passes the forces of every strip to `visit`, with derivatives if there are `SLOPES`.
 ///
 /// # Errors
 /// Those of [`solve_patch_with_law`].
-pub(crate) fn each_strip<F: Float>(
+pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,
@@ -351,7 +351,7 @@ pub(crate) fn each_strip<F: Float>(
         );
         number += 1;
     };
-    if let Some(by) = by {
+    if let Some(by) = by.filter(|_| SLOPES) {
         let constant = Dual::from_base;
         let slip = if by == By::OwnCreepages {
             PatchSlip::fixed(creepage.inputs(), constant(F::one()), problem.behind)

@@ -40,6 +40,29 @@ pub struct StoredPatch<F> {
 }
 
 impl<F: Float> StoredPatch<F> {
+    /// A patch without strips and material.
+    pub(crate) fn nothing() -> Self {
+        let zero = F::zero();
+        let strip = PatchStrip {
+            y: zero,
+            width: zero,
+            half_length: zero,
+            centre_x: zero,
+            peak_pressure: zero,
+            friction: zero,
+        };
+        Self {
+            strips: [strip; KSTRIP_PATCH_CAPACITY],
+            shear_modulus: zero,
+            poisson_ratio: zero,
+            area_scale: zero,
+            lever_scale: zero,
+            count: 0,
+            reserved: 0,
+            mismatch: zero,
+        }
+    }
+
     /// Removes all strips.
     pub(crate) fn clear(&mut self, shear_modulus: F, poisson_ratio: F) {
         (self.shear_modulus, self.poisson_ratio) = (shear_modulus, poisson_ratio);

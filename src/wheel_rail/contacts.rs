@@ -22,7 +22,7 @@
 //! their own slip besides (`curved`).
 
 use super::axes::{Axes, with_moment};
-use super::groups::Overlaps;
+use super::groups::{Groups, Overlaps};
 use super::line_of_contact::Turn;
 use super::touch::Gap;
 use super::view::View;
@@ -36,7 +36,6 @@ use crate::number::dual::Dual;
 use crate::number::{Float, are_finite, length};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
-use heapless::Vec;
 
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
@@ -281,6 +280,18 @@ impl<F: Float> WheelContact<F> {
     }
 }
 
+/// Groups the zones of a curve; returns how many contacts are separate. (Out of line: the
+/// zones need not be kept.)
+#[inline(never)]
+pub(super) fn group_zones<F: Float, const N: usize>(
+    curve: &SmoothedProfile<F, N>,
+    groups: &mut Groups<F>,
+) -> Result<u32, Error> {
+    let zones = Overlaps::of_curve(curve, |own| own.value);
+    zones.group(groups)?;
+    Ok(zones.apart() as u32)
+}
+
 /// The result of [`from_gap`].
 #[derive(Clone, Copy, Debug)]
 pub struct ContactCount {
@@ -312,11 +323,10 @@ pub fn from_gap<F: Float>(
     let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
     let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
-    let mut zones = Overlaps::new();
-    curve.overlaps(|own| own.value, |zone| zones.push(zone));
-    let mut cells = Cells { list: Vec::new() };
-    found.apart = zones.apart() as u32;
-    for group in &zones.groups()? {
+    let mut groups = Groups::new();
+    found.apart = group_zones(&curve, &mut groups)?;
+    let mut cells = Cells::none();
+    for group in &groups {
         curve.restrict(&group.whole);
         let approach = Dual::input(group.whole.depth, 0);
         let mut pressed = view.press(&profile, &curve, approach, count, &mut cells)?;

@@ -53,26 +53,24 @@ pub(super) fn has_own_slip<F: Float>(contact: &WheelContact<F>, law: Law<F>) -> 
     contact.own > F::zero() && law.model != Model::Total
 }
 
-/// The creep forces.
+/// The creep forces, without `SLOPES` all derivatives of which are zero.
 ///
 /// # Errors
 /// Those of [`each_strip`].
 #[inline(never)]
-pub(super) fn creep<F: Float>(
+pub(super) fn creep<F: Float, const SLOPES: bool>(
     contact: &WheelContact<F>,
-    pressed: Pressed<F>,
+    mut pressed: Pressed<F>,
     velocity: &[F; 6],
     rolling: &Rolling<F>,
     law: Law<F>,
-    differentiate: bool,
 ) -> Result<Creep<F>, Error> {
     let Law { model, .. } = law;
     let falling = at_speed(law, rolling.speed);
-    let end =
-        End { velocity, speed: rolling.speed, falling: falling.as_ref(), model, differentiate };
+    let end = End::<_, SLOPES> { velocity, speed: rolling.speed, falling: falling.as_ref(), model };
     let axes = contact.axes();
     let count = contact.patch.count as usize;
-    let ends = |ratio: F| {
+    let mut ends = |ratio: F| {
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
             let rows = |k: usize| {
                 let number = if is_turned { count.saturating_sub(k + 1) } else { k };
@@ -101,7 +99,7 @@ pub(super) fn creep<F: Float>(
         warning: ahead.warning.worse(behind.warning),
         ..ahead
     };
-    if !differentiate {
+    if !SLOPES {
         return Ok(found);
     }
     // dQ/dV = w' (Q₊ − Q₋) + ∂Q/∂V_f ∂V_f/∂V, and through the mismatch
@@ -166,15 +164,14 @@ fn add_scaled<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
 }
 
 /// What the creep forces of one end of a contact follow from.
-struct End<'a, F> {
+struct End<'a, F, const SLOPES: bool> {
     velocity: &'a [F; 6],
     speed: F,
     falling: Option<&'a SlipFriction<F>>,
     model: Model,
-    differentiate: bool,
 }
 
-impl<F: Float> End<'_, F> {
+impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     fn creep(
         &self,
         view: &PatchView<F>,
@@ -182,7 +179,7 @@ impl<F: Float> End<'_, F> {
         rest: &Creepage<F>,
         rows: &dyn Fn(usize) -> [[F; 6]; 3],
     ) -> Result<Creep<F>, Error> {
-        let Self { velocity, speed, falling, model, differentiate } = *self;
+        let Self { velocity, speed, falling, model } = *self;
         let (zero, one) = (F::zero(), F::one());
         let per_speed = one / speed;
         // the creepages of the patch where the strips are, and what they have besides
@@ -210,25 +207,30 @@ impl<F: Float> End<'_, F> {
         let (mut wrench, mut power, mut by_velocity, mut power_by) = (none, zero, [none; 6], none);
         // by a factor of all creepages
         let (mut along, mut power_along) = (none, zero);
-        let by = differentiate.then_some(By::OwnCreepages);
-        let found = each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
-            let rows = rows(k);
-            power += at.power;
-            add_scaled(&mut wrench, combined(&rows, at.forces), one);
-            if !differentiate {
-                return;
-            }
-            add_scaled(&mut power_by, combined(&rows, at.power_slopes), per_speed);
-            let creepage = whole(k);
-            power_along += dot(&at.power_slopes, &creepage);
-            add_scaled(&mut along, combined(&rows, at.slopes.map(|row| dot(&row, &creepage))), one);
-            for (row, slopes) in rows.iter().zip(at.slopes) {
-                let by = combined(&rows, slopes);
-                for (sums, factor) in by_velocity.iter_mut().zip(row) {
-                    add_scaled(sums, by, *factor * per_speed);
+        let by = SLOPES.then_some(By::OwnCreepages);
+        let found =
+            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
+                let rows = rows(k);
+                power += at.power;
+                add_scaled(&mut wrench, combined(&rows, at.forces), one);
+                if !SLOPES {
+                    return;
                 }
-            }
-        })?;
+                add_scaled(&mut power_by, combined(&rows, at.power_slopes), per_speed);
+                let creepage = whole(k);
+                power_along += dot(&at.power_slopes, &creepage);
+                add_scaled(
+                    &mut along,
+                    combined(&rows, at.slopes.map(|row| dot(&row, &creepage))),
+                    one,
+                );
+                for (row, slopes) in rows.iter().zip(at.slopes) {
+                    let by = combined(&rows, slopes);
+                    for (sums, factor) in by_velocity.iter_mut().zip(row) {
+                        add_scaled(sums, by, *factor * per_speed);
+                    }
+                }
+            })?;
         let mut creep = Creep {
             wrench,
             power,
@@ -238,13 +240,13 @@ impl<F: Float> End<'_, F> {
             by_speed: none,
             by_mismatch: none,
         };
-        if !differentiate {
+        if !SLOPES {
             return Ok(creep);
         }
         let mut power_by_mismatch = zero;
         if view.mismatch() != zero {
             let by = Some(By::Mismatch);
-            each_strip(&view, creepage, falling, (model, by), &mut |k, at| {
+            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
                 let ([slopes_x, slopes_y, slopes_z], [power, ..]) = (at.slopes, at.power_slopes);
                 let first = [slopes_x, slopes_y, slopes_z].map(|[first, ..]| first);
                 add_scaled(&mut creep.by_mismatch, combined(&rows(k), first), one);

@@ -22,11 +22,11 @@ pub(super) fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F
     law.falling.map(|law| SlipFriction { friction: F::one(), rolling_speed: speed, ..*law })
 }
 
-/// A patch whose pressure has a factor.
-#[derive(Clone, Copy)]
+/// A patch whose pressure has a factor, and memory for one that is turned.
 pub(super) struct Pressed<'a, F> {
     pub patch: &'a StoredPatch<F>,
     pub factor: F,
+    pub room: &'a mut StoredPatch<F>,
 }
 
 impl<F: Float> Pressed<'_, F> {
@@ -34,39 +34,31 @@ impl<F: Float> Pressed<'_, F> {
     /// ends have the mismatch `±κ V/V_f`, of this ratio. The function learns
     /// whether the patch is turned.
     pub fn each_end<S: Copy>(
-        self,
+        &mut self,
         rolling: &Rolling<F>,
         ratio: F,
         solve: impl Fn(&PatchView<F>, &Creepage<F>, bool) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
-        let Self { patch, factor } = self;
         rolling.each_end(|creepage, is_turned| {
-            let solve = |view: &PatchView<F>| {
-                if patch.mismatch == F::zero() {
-                    return solve(view, creepage, is_turned);
-                }
-                let ratio = if is_turned { -ratio } else { ratio };
-                solve(&view.with_mismatch(patch.mismatch * ratio)?, creepage, is_turned)
-            };
-            if is_turned || factor != F::one() {
-                self.copied(is_turned, solve)
+            let patch = if is_turned || self.factor != F::one() {
+                self.copied(is_turned)
             } else {
-                solve(&patch.view()?)
+                self.patch
+            };
+            let mut view = patch.view()?;
+            if patch.mismatch != F::zero() {
+                let ratio = if is_turned { -ratio } else { ratio };
+                view = view.with_mismatch(patch.mismatch * ratio)?;
             }
+            solve(&view, creepage, is_turned)
         })
     }
 
-    /// The forces of a patch that is turned, or whose friction follows the pressure. Out of line,
-    /// because of the copy on the stack (3 KiB).
-    #[inline(never)]
-    fn copied<S>(
-        self,
-        is_turned: bool,
-        solve: impl FnOnce(&PatchView<F>) -> Result<S, Error>,
-    ) -> Result<S, Error> {
-        let mut copy = *self.patch;
-        let count = copy.count as usize;
-        let used = copy.strips.get_mut(..count).unwrap_or(&mut []);
+    /// The patch, turned or with the friction that follows the pressure.
+    fn copied(&mut self, is_turned: bool) -> &StoredPatch<F> {
+        *self.room = *self.patch;
+        let count = self.room.count as usize;
+        let used = self.room.strips.get_mut(..count).unwrap_or(&mut []);
         for strip in used.iter_mut() {
             strip.friction = strip.friction * self.factor;
         }
@@ -76,6 +68,6 @@ impl<F: Float> Pressed<'_, F> {
                 (strip.y, strip.centre_x) = (-strip.y, -strip.centre_x);
             }
         }
-        solve(&copy.view()?)
+        self.room
     }
 }

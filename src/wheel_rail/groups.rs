@@ -21,7 +21,9 @@
 //! appears, vanishes, is divided or merges.
 
 use crate::normal::crossings::Overlap;
+use crate::normal::smooth::SmoothedProfile;
 use crate::number::Float;
+use crate::number::dual::Dual;
 use crate::status::Error;
 use core::mem;
 use heapless::Vec;
@@ -60,6 +62,9 @@ pub(super) struct Group<F> {
     pub zones: [usize; 2],
 }
 
+/// Groups of zones.
+pub(super) type Groups<F> = Vec<Group<F>, GROUPS>;
+
 /// A zone where zones are grouped: its place, counted in free length, and whether it is strong.
 #[derive(Clone, Copy)]
 struct GroupedZone<F> {
@@ -70,6 +75,17 @@ struct GroupedZone<F> {
 impl<F: Float> Overlaps<F> {
     pub fn new() -> Self {
         Self { list: Vec::new() }
+    }
+
+    /// The zones of a curve, made of the numbers that `number` makes.
+    #[inline(never)]
+    pub fn of_curve<const N: usize>(
+        curve: &SmoothedProfile<F, N>,
+        number: impl Fn(Dual<F, N>) -> F,
+    ) -> Self {
+        let mut zones = Self::new();
+        curve.overlaps(number, |zone| zones.push(zone));
+        zones
     }
 
     /// Adds the next zone. (Without room it is part of the last.)
@@ -88,13 +104,13 @@ impl<F: Float> Overlaps<F> {
         gaps + usize::from(!self.list.is_empty())
     }
 
-    /// The groups, in ascending order of their first zone; of several from one zone on, in
-    /// ascending order of their last.
+    /// Adds the groups to none, in ascending order of their first zone; of several from one zone
+    /// on, in ascending order of their last.
     ///
     /// # Errors
     /// [`Error::PatchSize`] for more than there is room for.
-    pub fn groups(&self) -> Result<Vec<Group<F>, GROUPS>, Error> {
-        let mut groups = Vec::new();
+    #[inline(never)]
+    pub fn group(&self, groups: &mut Groups<F>) -> Result<(), Error> {
         let mut places: Vec<GroupedZone<F>, ZONES> = Vec::new();
         let (mut at, mut deepest) = (F::zero(), F::zero());
         let mut last: Option<&Overlap<F>> = None;
@@ -119,7 +135,7 @@ impl<F: Float> Overlaps<F> {
                 let mut first = 0;
                 for k in 0..places.len() {
                     if k + 1 == places.len() || !strong.are_joined(k, length) {
-                        self.add(&mut groups, [first, k], share)?;
+                        self.add(groups, [first, k], share)?;
                         first = k + 1;
                     }
                 }
@@ -127,15 +143,10 @@ impl<F: Float> Overlaps<F> {
             }
             level = next;
         }
-        Ok(groups)
+        Ok(())
     }
 
-    fn add(
-        &self,
-        groups: &mut Vec<Group<F>, GROUPS>,
-        zones: [usize; 2],
-        share: F,
-    ) -> Result<(), Error> {
+    fn add(&self, groups: &mut Groups<F>, zones: [usize; 2], share: F) -> Result<(), Error> {
         if let Some(group) = groups.iter_mut().find(|group| group.zones == zones) {
             group.share += share;
             return Ok(());

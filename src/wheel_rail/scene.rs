@@ -107,8 +107,10 @@ impl<F: Float> Scene<'_, F> {
         derivatives: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
         self.place(position, memory)?;
-        let wrench = wrench::of_contacts(memory.found(), velocity, self.law, derivatives)?;
-        Ok(Wrench { contacts: memory.apart, ..wrench })
+        let Workspace { strips, contacts, count, apart, .. } = memory;
+        let found = contacts.get(..*count as usize).unwrap_or(&[]);
+        let wrench = wrench::of_contacts_in(strips, found, velocity, self.law, derivatives)?;
+        Ok(Wrench { contacts: *apart, ..wrench })
     }
 
     /// Computes the wrench of a position and a velocity.
@@ -160,6 +162,10 @@ impl<F: Float> Scene<'_, F> {
         let found = self.wrench(position, velocity, memory, derivatives)?;
         if is_straight && found.contacts > 0 {
             self.differentiate(position, velocity, memory, &found, slopes)?;
+            if memory.count as usize == KSTRIP_CONTACTS_CAPACITY {
+                // (the last contact's memory was needed)
+                self.place(position, memory)?;
+            }
         }
         Ok(found)
     }
@@ -183,7 +189,7 @@ impl<F: Float> Scene<'_, F> {
 
     /// Adds the derivatives of a wrench by the position: exact ones of the distance of the surfaces
     /// and of the strips; those of frames, creepages and creep forces by differences to one side,
-    /// in single precision to both.
+    /// in single precision to both. The memory of the last contact that there may be is used.
     #[inline(never)]
     fn differentiate(
         &self,
@@ -193,8 +199,9 @@ impl<F: Float> Scene<'_, F> {
         found: &Wrench<F>,
         slopes: &mut WrenchByPosition<F>,
     ) -> Result<(), Error> {
-        let Workspace { gap, strips, contacts, .. } = memory;
-        let [mut contact, ..] = *contacts;
+        let Workspace { gap, strips, contacts, count: used, .. } = memory;
+        let spare = (*used as usize).min(KSTRIP_CONTACTS_CAPACITY - 1);
+        let contact = contacts.get_mut(spare).ok_or(Error::PatchSize)?;
         let slip = found.dissipation / (found.normal_force + F::TINY);
         let speed = velocity.forward.abs().plus(SLOW);
         let creepage = (slip / speed).times(3.0).plus(CREEPAGE);
@@ -203,14 +210,16 @@ impl<F: Float> Scene<'_, F> {
             if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
         let Self { rail, pair, strips: count, law, .. } = *self;
         let steps = Steps { rail, pair, position, strips: count, creepage, sides };
-        let steps = steps.contacts(gap, strips, &mut contact, |direction, step, contact| {
-            let moved = wrench::of_contacts(from_ref(contact), velocity, law, None)?.members();
-            let moved = moved.map(|own| if step > F::zero() { own } else { -own });
+        let mut add_to = |direction: usize, step: F, contact: &WheelContact<F>, room: &mut _| {
+            let found =
+                wrench::sum_of_contacts::<_, false>(room, from_ref(contact), velocity, law, None);
+            let moved = found?.members().map(|own| if step > F::zero() { own } else { -own });
             if let Some(column) = columns.get_mut(direction) {
                 add(&mut column[..], moved);
             }
             Ok(())
-        })?;
+        };
+        let steps = steps.contacts(gap, strips, contact, &mut add_to)?;
         for (column, step) in columns.into_iter().zip(steps) {
             let step = step * F::widened(sides as f32);
             for (slope, here) in column.iter_mut().zip(here) {

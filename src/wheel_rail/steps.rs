@@ -3,8 +3,8 @@
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::contacts::WheelContact;
-use super::groups::{GROUPS, Group, ONE_CONTACT, Overlaps};
+use super::contacts::{WheelContact, group_zones};
+use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
 use super::moves::PointMoves;
 use super::surface::Surface;
 use super::touch::Gap;
@@ -18,7 +18,6 @@ use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Float, Number, length};
 use crate::patch::StoredPatch;
 use crate::status::Error;
-use heapless::Vec;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
@@ -35,6 +34,10 @@ const SHALLOWEST: f64 = 1e-9;
 /// Weight of the change of depths in the step of a share's difference.
 const DEEPER: f64 = 0.01;
 
+/// What is done with a contact after a step of a member of the position.
+pub(super) type Take<'a, F> =
+    dyn FnMut(usize, F, &WheelContact<F>, &mut StoredPatch<F>) -> Result<(), Error> + 'a;
+
 /// Steps from a position.
 pub(super) struct Steps<'a, F> {
     pub rail: &'a Surface<F>,
@@ -50,7 +53,7 @@ pub(super) struct Steps<'a, F> {
 impl<F: Float> Steps<'_, F> {
     /// The contacts of a gap after a step of each member of the position, to first order. Hands
     /// every contact to `take`, with the number of the member and the step; `strips` and `contact`
-    /// are memory. Returns the steps.
+    /// are memory, and `take` may use that of `strips`. Returns the steps.
     ///
     /// # Errors
     /// Those of [`from_gap`](super::contacts::from_gap).
@@ -59,26 +62,25 @@ impl<F: Float> Steps<'_, F> {
         gap: &Gap<F>,
         strips: &mut StoredPatch<F>,
         contact: &mut WheelContact<F>,
-        mut take: impl FnMut(usize, F, &WheelContact<F>) -> Result<(), Error>,
+        take: &mut Take<'_, F>,
     ) -> Result<[F; DIRECTIONS], Error> {
         let Self { rail, pair, position, creepage, sides, strips: count } = *self;
         let view = View::new(gap, pair, position)?;
         let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
         let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
         let steps = core::array::from_fn(|direction| view.step_in(&moves, direction, creepage));
+        let Some(profile) = view.profile()? else { return Ok(steps) };
+        let mut curve =
+            SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
+        let mut groups = Groups::new();
+        group_zones(&curve, &mut groups)?;
+        let mut cells = Cells::none();
         for first in (0..DIRECTIONS).step_by(TOGETHER) {
             let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
             let mut moves = moves;
             moves.first = first;
-            let Some(profile) = view.profile()? else { break };
             let profile = profile.moving(&moves);
-            let curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
-            let mut curve =
-                SmoothedProfile::moving(&curve, &profile, &moves, pair.smoothing_length);
-            let mut zones = Overlaps::new();
-            curve.overlaps(|own| own.value, |zone| zones.push(zone));
-            let mut cells = Cells { list: Vec::new() };
-            let groups = zones.groups()?;
+            curve.follow(&profile, &moves, pair.smoothing_length);
             let mut rates = [[F::zero(); GROUPS]; TOGETHER];
             for (direction, rates) in rates.iter_mut().enumerate() {
                 rates_of_shares(&curve, &groups, direction, rates)?;
@@ -104,7 +106,7 @@ impl<F: Float> Steps<'_, F> {
                             let rate = rates.and_then(|rates| rates.get(number));
                             let rate = rate.copied().unwrap_or(F::zero());
                             contact.share = (group.share + step * rate).max(F::zero());
-                            take(direction, step, contact)?;
+                            take(direction, step, contact, strips)?;
                         }
                     }
                 }
@@ -134,7 +136,9 @@ fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: impl Iterator<
 }
 
 /// Derivatives of the shares of groups in a direction, by one-sided differences of second order:
-/// their step changes free lengths and depths by little.
+/// their step changes free lengths and depths by little. (Out of line: the groups of a difference
+/// need not be kept.)
+#[inline(never)]
 fn rates_of_shares<F: Float>(
     curve: &SmoothedProfile<F, TOGETHER>,
     groups: &[Group<F>],
@@ -154,9 +158,8 @@ fn rates_of_shares<F: Float>(
     let step = F::EPSILON.cube_root() / fastest;
     // f' = (4 f(h) − f(2 h) − 3 f(0))/(2 h)
     for (distance, weight) in [(step, F::of(2.0)), (step.times(2.0), F::of(-0.5))] {
-        let mut zones = Overlaps::new();
-        curve.overlaps(|own| own.value + distance * rate(own), |zone| zones.push(zone));
-        let moved = zones.groups()?;
+        let mut moved = Groups::new();
+        Overlaps::of_curve(curve, |own| own.value + distance * rate(own)).group(&mut moved)?;
         for (rate, group) in rates.iter_mut().zip(groups) {
             let moved = moved.iter().find(|moved| moved.zones == group.zones);
             let share = moved.map_or(F::zero(), |moved| moved.share);

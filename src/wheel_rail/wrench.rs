@@ -21,7 +21,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Solution;
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, are_finite};
-use crate::patch::{self, PatchView, solver};
+use crate::patch::{self, PatchView, StoredPatch, solver};
 use crate::status::{Error, Warning};
 
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
@@ -97,8 +97,36 @@ pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
     law: Law<F>,
-    mut derivatives: Option<&mut WrenchDerivatives<F>>,
+    derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
+    let mut room = StoredPatch::nothing();
+    of_contacts_in(&mut room, contacts, velocity, law, derivatives)
+}
+
+/// The same with memory for a patch.
+pub(super) fn of_contacts_in<F: Float>(
+    room: &mut StoredPatch<F>,
+    contacts: &[WheelContact<F>],
+    velocity: &Velocity<F>,
+    law: Law<F>,
+    derivatives: Option<&mut WrenchDerivatives<F>>,
+) -> Result<Wrench<F>, Error> {
+    match derivatives {
+        None => sum_of_contacts::<F, false>(room, contacts, velocity, law, None),
+        derivatives => sum_of_contacts::<F, true>(room, contacts, velocity, law, derivatives),
+    }
+}
+
+/// The same; without `SLOPES` no derivatives, which takes less than half of the stack.
+#[inline(never)]
+pub(super) fn sum_of_contacts<F: Float, const SLOPES: bool>(
+    room: &mut StoredPatch<F>,
+    contacts: &[WheelContact<F>],
+    velocity: &Velocity<F>,
+    law: Law<F>,
+    derivatives: Option<&mut WrenchDerivatives<F>>,
+) -> Result<Wrench<F>, Error> {
+    let mut derivatives = derivatives.filter(|_| SLOPES);
     let (velocity, zero) = (velocity.members(), F::zero());
     Error::NotFinite.unless(are_finite(&velocity))?;
     if let Some(sums) = &mut derivatives {
@@ -120,10 +148,9 @@ pub fn of_contacts<F: Float>(
             // the surfaces part faster than they push
             continue;
         }
-        let pressed = Pressed { patch: &contact.patch, factor };
+        let mut pressed = Pressed { patch: &contact.patch, factor, room: &mut *room };
         let carried = if curved::has_own_slip(contact, law) {
-            let found =
-                curved::creep(contact, pressed, &velocity, &rolling, law, derivatives.is_some())?;
+            let found = curved::creep::<F, SLOPES>(contact, pressed, &velocity, &rolling, law)?;
             if let Some(sums) = &mut derivatives {
                 sums.add_creep(contact, &found, factor);
             }
@@ -235,7 +262,7 @@ struct Carried<F> {
 
 impl<F: Float> Pressed<'_, F> {
     /// Creep forces on the rail.
-    fn carried(self, rolling: &Rolling<F>, law: Law<F>) -> Result<Solution<F>, Error> {
+    fn carried(&mut self, rolling: &Rolling<F>, law: Law<F>) -> Result<Solution<F>, Error> {
         let falling = at_speed(law, rolling.speed);
         let ratio = rolling.speed_by_rolling;
         let [forward, backward] =
@@ -252,7 +279,7 @@ impl<F: Float> Pressed<'_, F> {
     /// The same with their derivatives with respect to motion. The derivative with respect to
     /// friction is that with respect to a factor of all coefficients.
     fn differentiated(
-        self,
+        &mut self,
         rolling: &Rolling<F>,
         law: Law<F>,
     ) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
@@ -265,9 +292,10 @@ impl<F: Float> Pressed<'_, F> {
             found.derivatives.friction = found.derivatives.friction.map(|slope| slope * mean);
             Ok(found)
         };
-        let ends = |ratio: F| self.each_end(rolling, ratio, differentiate);
+        let mismatch = self.patch.mismatch;
+        let mut ends = |ratio: F| self.each_end(rolling, ratio, differentiate);
         let [forward, backward] = ends(rolling.speed_by_rolling)?;
-        let by_mismatch = rolling.through_mismatch(self.patch.mismatch, ends)?;
+        let by_mismatch = rolling.through_mismatch(mismatch, ends)?;
         let slopes = rolling.slopes(&forward, &backward, by_mismatch);
         Error::Overflow.unless(slopes.entries().all(F::is_finite_number))?;
         Ok((joined_solutions(rolling, forward.solution, backward.solution), slopes))

@@ -1,0 +1,113 @@
+//! The cells of the normal problem: first their places, then what the solution makes of them.
+
+use crate::normal::profile::WithSlope;
+use crate::number::{Arithmetic, Float};
+use core::f64::consts::FRAC_PI_2;
+use heapless::Vec;
+
+/// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
+/// patches asked for with 32 and 64 strips have fewer.
+pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
+
+/// A cell of the normal problem, or a part of one, on the line `x = 0`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cell<F, const N: usize> {
+    /// Middle line \[m\].
+    pub y: WithSlope<F, N>,
+    /// Width \[m\].
+    pub width: WithSlope<F, N>,
+    /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
+    /// hardly a gap between them, at the middle of both.
+    pub(super) at: WithSlope<F, N>,
+    /// How strongly the pressure is coupled to that of the cell before and to that of the cell
+    /// after, `κ` \[m\].
+    pub(super) coupling: [WithSlope<F, N>; 2],
+    /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
+    pub(super) alone: WithSlope<F, N>,
+    /// Share of a whole cell.
+    pub(super) share: WithSlope<F, N>,
+    /// Number of the cell that it is a part of.
+    pub(super) number: i32,
+    /// Number of its zone.
+    pub(super) zone: u32,
+    /// Undeformed distance on the middle line \[m\].
+    pub distance: WithSlope<F, N>,
+    /// Rolling radius `R` \[m\].
+    pub rolling_radius: WithSlope<F, N>,
+    /// Centre along `x` \[m\].
+    pub centre_x: WithSlope<F, N>,
+    /// Half length \[m\].
+    pub half_length: WithSlope<F, N>,
+    /// `p/(π E*)`; zero where the bodies do not touch.
+    pub pressure: WithSlope<F, N>,
+    /// Whether the bodies touch.
+    pub touches: bool,
+}
+
+impl<F: Float, const N: usize> Cell<F, N> {
+    /// A cell of which no more than its place is known.
+    #[inline(always)]
+    pub(super) fn at_place(
+        [y, width, share]: [WithSlope<F, N>; 3],
+        number: i32,
+        zone: u32,
+    ) -> Self {
+        let zero = WithSlope::zero();
+        Self {
+            y,
+            width,
+            at: y,
+            coupling: [zero; 2],
+            alone: zero,
+            share,
+            number,
+            zone,
+            distance: zero,
+            rolling_radius: zero,
+            centre_x: zero,
+            half_length: zero,
+            pressure: zero,
+            touches: false,
+        }
+    }
+
+    /// `(π/2) a w p/(π E*)`
+    pub fn load(&self) -> WithSlope<F, N> {
+        (self.half_length * self.width * self.pressure).times(FRAC_PI_2)
+    }
+}
+
+/// Cells in ascending `y`.
+#[derive(Clone, Debug)]
+pub(crate) struct Cells<F, const N: usize> {
+    pub list: Vec<Cell<F, N>, CELLS>,
+}
+
+impl<F: Float, const N: usize> Cells<F, N> {
+    /// No cells.
+    #[inline(always)]
+    pub(crate) fn none() -> Self {
+        Self { list: Vec::new() }
+    }
+
+    /// `N/(π E*)`
+    pub(crate) fn load(&self) -> WithSlope<F, N> {
+        self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
+    }
+
+    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load, of
+    /// numbers that `of` makes.
+    pub(crate) fn means(&self, of: impl Fn(WithSlope<F, N>) -> F) -> [F; 2] {
+        let (mut sum, mut weight) = (F::zero(), F::TINY);
+        let (mut widths, mut loads) = (F::zero(), F::TINY);
+        for cell in &self.list {
+            let (a, p, width) = (of(cell.half_length), of(cell.pressure), of(cell.width));
+            let load = p * width;
+            sum += load * a * p;
+            weight += load * a * a;
+            widths += load * a * width;
+            loads += load * a;
+        }
+        [sum / weight, widths / loads]
+    }
+}
