@@ -3,7 +3,8 @@
 //! Three equations for the vertical places `h` of both wheels and the pitch rate: vertical force,
 //! roll moment and moment about the axle balance the loads. The search begins where pressure alone
 //! carries the loads, and goes on by Newton's method with the derivatives of the forces, with
-//! bounded steps that must lessen the rest.
+//! bounded steps that must lessen the rest. Where it finds no balance, a wheel lifts if the roll
+//! moment turns the wheelset onto the other one that carries all.
 
 use super::forces::{
     Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
@@ -28,7 +29,9 @@ const ROUNDING: f64 = 64.0;
 const NEARLY: f64 = 0.01;
 /// Least share of the load that a wheel is taken to carry at the beginning.
 const LEAST: f64 = 0.02;
-/// Largest number of times that both heights are found by pressure alone, and the change below
+/// Share of the load that a wheel carries which is about to lift.
+const BARELY: f64 = 1e-6;
+/// Largest number of times that both heights are found for the loads of the wheels, and the change below
 /// which they stay \[m\].
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
@@ -76,9 +79,14 @@ impl<F: Float> Wheelset<'_, F> {
         let WheelsetLoads { vertical, roll, pitch } = *loads;
         Error::NotFinite.unless(are_finite(&[vertical, roll, pitch]))?;
         Error::NormalForce.unless(vertical > F::zero())?;
-        let (position, radius) = self.by_pressure(start, loads, memory)?;
         let [width, _] = self.sides.map(|side| side.arm.abs());
         let [right, _] = self.scenes;
+        let supports = self.sides.map(|side| {
+            let carried = vertical.times(0.5) + roll / side.arm.times(2.0);
+            carried.max(vertical.times(LEAST))
+        });
+        let (position, radii) = self.carried(start, supports, None, memory)?;
+        let radius = radii.into_iter().fold(F::zero(), |sum, own| sum + own.times(0.5));
         let speed = velocity.forward + right.pair.rail_speed;
         let pitch_rate = -speed / radius;
         let (mut here, mut moves) = (position, Velocity { pitch: pitch_rate, ..*velocity });
@@ -155,35 +163,67 @@ impl<F: Float> Wheelset<'_, F> {
             }
             break;
         }
+        let lifts = (0..2).any(|other| self.lifts(other, start, velocity, loads, memory));
         let forces = self.solve(&here, &moves, memory, None, None)?;
         let [down, over, about] = rest.map(F::abs);
-        Error::WheelLifted.when(forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
+        Error::WheelLifted.when(lifts || forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
         Error::ForceBeyondFriction.when(about > down.max(over) && about > F::of(1e-3))?;
         let warning = forces.wrench.warning.worse(Warning::NotConverged);
         Ok(Settled { position: here, velocity: moves, forces, warning })
     }
 
-    /// Where pressure alone carries the loads, and the mean radius of both wheels there.
-    fn by_pressure(
+    /// Whether a wheel lifts where the other one carries the whole load: the roll moment turns the
+    /// wheelset onto that one. (Where there is no such place it does not.)
+    fn lifts(
         &self,
+        lifted: usize,
         start: &Position<F>,
+        velocity: &Velocity<F>,
         loads: &WheelsetLoads<F>,
         memory: &mut WheelsetWorkspace<F>,
-    ) -> Result<(Position<F>, F), Error> {
+    ) -> bool {
+        let mut at = || {
+            let of = |k| loads.vertical.times(if k == lifted { BARELY } else { 1.0 });
+            let supports = [of(0), of(1)];
+            let [right, _] = self.scenes;
+            let (_, radii) = self.carried(start, supports, None, memory)?;
+            let [one, other] = radii;
+            let radius = if lifted == 0 { other } else { one };
+            let pitch = -(velocity.forward + right.pair.rail_speed) / radius;
+            let moves = Velocity { pitch, ..*velocity };
+            let (position, _) = self.carried(start, supports, Some(&moves), memory)?;
+            self.solve(&position, &moves, memory, None, None)
+        };
+        let arm = self.sides.get(lifted).map_or(F::zero(), |side| side.arm);
+        at().is_ok_and(|forces: WheelsetForces<F>| {
+            let [_, _, _, over, ..] = forces.wrench.members();
+            (over + loads.roll) * arm < F::zero()
+        })
+    }
+
+    /// Where each wheel carries a load, by pressure alone or at a velocity, and the radii of the
+    /// wheels there.
+    fn carried(
+        &self,
+        start: &Position<F>,
+        supports: [F; 2],
+        velocity: Option<&Velocity<F>>,
+        memory: &mut WheelsetWorkspace<F>,
+    ) -> Result<(Position<F>, [F; 2]), Error> {
         let mut here = *start;
-        let mut radius = F::zero();
+        let mut radii = [F::zero(); 2];
         for _ in 0..PASSES {
-            radius = F::zero();
             let mut sinks = [F::zero(); 2];
             let sides = self.scenes.iter().zip(&self.sides).zip(&mut memory.wheel);
-            for (((scene, side), memory), sink) in sides.zip(&mut sinks) {
+            let found = sinks.iter_mut().zip(&mut radii).zip(supports);
+            for (((scene, side), memory), ((sink, radius), support)) in sides.zip(found) {
                 let kinematics = Kinematics::new(*side, &here);
                 let position = kinematics.position();
                 let pair = kinematics.pair(scene.pair);
                 let scene = Scene { pair: &pair, ..*scene };
-                let carried = loads.vertical.times(0.5) + loads.roll / side.arm.times(2.0);
-                let support = carried.max(loads.vertical.times(LEAST));
-                let (height, _) = scene.height_for_load(&position, support, None, memory)?;
+                let velocity = velocity.map(|own| kinematics.velocity(&own.members()));
+                let (height, _) =
+                    scene.height_for_load(&position, support, velocity.as_ref(), memory)?;
                 *sink = height - position.vertical;
                 let (mut sum, mut load) = (F::zero(), F::TINY);
                 for contact in memory.found() {
@@ -191,7 +231,7 @@ impl<F: Float> Wheelset<'_, F> {
                     sum += weight * contact.radius;
                     load += weight;
                 }
-                radius += (sum / load).times(0.5);
+                *radius = sum / load;
             }
             let ([right, left], [side, _]) = (sinks, self.sides);
             here.vertical += (right + left).times(0.5);
@@ -200,7 +240,7 @@ impl<F: Float> Wheelset<'_, F> {
                 break;
             }
         }
-        Ok((here, radius))
+        Ok((here, radii))
     }
 }
 

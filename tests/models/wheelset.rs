@@ -585,3 +585,37 @@ fn rollers_push_a_yawed_wheelset_farther() {
     assert!(straight.abs() < 1e-4 * expected, "{straight}");
     assert_relative_eq!(on_roller, expected, max_relative = 1e-3);
 }
+
+/// Over a climbing flange there is no balance from the place where the other wheel has lost its
+/// load to that where it carries again, and a status says so everywhere between.
+#[test]
+fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
+    let mut stand = Stand::new_profiles();
+    let zero = 0.0;
+    let velocity = Velocity {
+        forward: 20.0,
+        lateral: zero,
+        vertical: zero,
+        roll: zero,
+        pitch: zero,
+        yaw: zero,
+    };
+    let loads = WheelsetLoads { vertical: 160e3, roll: zero, pitch: zero };
+    let mut carried = Vec::new();
+    for k in 61..=90 {
+        let lateral = -1e-4 * f64::from(k);
+        let start = Position { lateral, vertical: zero, yaw: 0.01, roll: zero };
+        match stand.settle(&start, &velocity, &loads) {
+            Ok(found) => {
+                let [[_, _, right], [_, _, left]] = found.forces.rail;
+                assert_relative_eq!(right + left, 160e3, max_relative = 1e-6);
+                assert!(found.warning != Warning::NotConverged, "{lateral}");
+                carried.push((k, right));
+            }
+            Err(error) => assert_eq!(error, Error::WheelLifted, "{lateral}"),
+        }
+    }
+    let places: Vec<i32> = carried.iter().map(|(k, _)| *k).collect();
+    assert_eq!(places, [61, 62, 63, 64, 89, 90]);
+    assert!(carried.iter().all(|(_, right)| *right > -1.0), "{carried:?}");
+}
