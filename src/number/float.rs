@@ -95,7 +95,12 @@ macro_rules! plain {
 
         impl Arithmetic for $float {
             type Value = $float;
+            const BRANCHES: bool = cfg!(target_os = "none");
 
+            #[inline]
+            fn is_above(self, other: Self) -> bool {
+                self > other
+            }
             #[inline]
             fn constant(x: f64) -> Self {
                 x as $float

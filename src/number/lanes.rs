@@ -64,7 +64,12 @@ operators!(
 
 impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for Lanes<T, N, A> {
     type Value = Self;
+    const BRANCHES: bool = N == 1 && T::BRANCHES;
 
+    #[inline]
+    fn is_above(self, other: Self) -> bool {
+        self.0.iter().zip(&other.0).all(|(x, other)| x.is_above(*other))
+    }
     #[inline]
     fn constant(x: f64) -> Self {
         Self([T::constant(x); N], [])

@@ -19,6 +19,10 @@ pub trait Arithmetic:
     /// The same without derivatives: products and sums with it cost none.
     type Value: Arithmetic<Value = Self::Value>;
 
+    /// Whether a branch costs less than both of its sides: one number without derivatives, on a
+    /// processor without wide registers.
+    const BRANCHES: bool = false;
+
     /// A constant written in double precision. Free when `x` is a literal.
     fn constant(x: f64) -> Self;
     /// Smallest positive normal number: added to denominators that may vanish together with their
@@ -69,9 +73,17 @@ pub trait Arithmetic:
     fn min(self, other: Self) -> Self;
     /// `yes` where this number is positive, else `no`.
     fn choose(self, yes: Self, no: Self) -> Self;
+    /// Whether it is above another one; asked only where [`Arithmetic::BRANCHES`].
+    #[inline]
+    fn is_above(self, _: Self) -> bool {
+        false
+    }
     /// The nearest number of at most this size.
     #[inline]
     fn within(self, size: f64) -> Self {
+        if Self::BRANCHES && Self::constant(size).is_above(self.abs()) {
+            return self;
+        }
         self.min(Self::constant(size)).max(Self::constant(-size))
     }
 

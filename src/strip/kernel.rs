@@ -51,6 +51,8 @@ pub struct Spin<T> {
     pub round: T,
     /// `1/(4 d)`
     pub inverse_round: T,
+    /// The factor `m` of the cut where `q` is at most `1 − d`.
+    pub uncut: T,
 }
 
 /// Forces of a strip, divided by its friction bound.
@@ -85,6 +87,8 @@ impl<T: Arithmetic> Spin<T> {
         // d = d₀ + d₁ r⁴
         let round = r.squared().squared().times(ROUND_SPIN).plus(ROUND);
         let inverse_round = round.times(4.0).inverse();
+        let [low, high] = [T::one() - round, T::one() + round];
+        let uncut = rounded_inverse_root(low, high, inverse_round);
         Self {
             sigma,
             r,
@@ -94,14 +98,28 @@ impl<T: Arithmetic> Spin<T> {
             blend,
             round,
             inverse_round,
+            uncut,
         }
+    }
+
+    /// `m = 1/√(max(1, q))`, with a parabola between 1 − d and 1 + d
+    #[inline(always)]
+    fn cut(&self, q: T) -> T {
+        let [low, high] = [T::one() - self.round, T::one() + self.round];
+        if T::BRANCHES && q.is_above(high) {
+            return q.inverse_root();
+        }
+        if T::BRANCHES && low.is_above(q) {
+            return self.uncut;
+        }
+        rounded_inverse_root(q.max(low), high, self.inverse_round)
     }
 
     /// These numbers in another kind of number.
     #[inline(always)]
     pub fn map<U>(&self, all: impl Fn(T) -> U) -> Spin<U> {
-        let Self { sigma, r, excess, one_minus_r2, inverse_room, blend, round, inverse_round } =
-            *self;
+        let Self { sigma, r, excess, one_minus_r2, inverse_room, blend, .. } = *self;
+        let Self { round, inverse_round, uncut, .. } = *self;
         Spin {
             sigma: all(sigma),
             r: all(r),
@@ -111,8 +129,16 @@ impl<T: Arithmetic> Spin<T> {
             blend: all(blend),
             round: all(round),
             inverse_round: all(inverse_round),
+            uncut: all(uncut),
         }
     }
+}
+
+/// `1/√` of the parabola that leads to the straight line at `high`.
+#[inline(always)]
+fn rounded_inverse_root<T: Arithmetic>(q: T, high: T, inverse_round: T) -> T {
+    let z = (high - q).max(T::zero());
+    (q + z.squared() * inverse_round).inverse_root()
 }
 
 /// Where `|σ|` stands between the spins of [`BLEND`], 0 to 1.
@@ -147,11 +173,22 @@ impl<T: Arithmetic> Separatrix<T> {
         let turned = spin.r * y;
         // Where r A_y' < 0 the root is computed as |A'|²/(S − r A_y').
         let sum = square * inverse_size + turned.choose(turned, -turned);
-        let root = turned.choose(sum * spin.inverse_room, (x2 + y2) / sum);
+        let root = if !T::BRANCHES {
+            turned.choose(sum * spin.inverse_room, (x2 + y2) / sum)
+        } else if turned.is_above(T::zero()) {
+            sum * spin.inverse_room
+        } else {
+            (x2 + y2) / sum
+        };
         let s = root.max(T::constant(LEAST)).min(T::constant(2.0));
         // At the leading edge the derivative becomes zero.
-        let z = s.plus(EDGE - 2.0).max(T::zero()).times(1.0 / EDGE);
-        let s = s + z.squared() * (T::one() - z).times(EDGE);
+        let z = s.plus(EDGE - 2.0);
+        let s = if T::BRANCHES && !z.is_above(T::zero()) {
+            s
+        } else {
+            let z = z.max(T::zero()).times(1.0 / EDGE);
+            s + z.squared() * (T::one() - z).times(EDGE)
+        };
         Self { y, s: s + spin.blend * (T::constant(2.0) - s), root, inverse_size }
     }
 }
@@ -217,10 +254,7 @@ impl<T: Arithmetic> SlipState<T> {
         // q = |p*|²/B², a mean over the strip's width and the node's cell
         let square = px * px + py * py + wide.squared().times(AVERAGE) + soft;
         let tried = square * inverse_bound.squared();
-        // m = 1/√(max(1, q)), with a parabola between 1 − d and 1 + d
-        let most = tried.max(T::one() - spin.round);
-        let z = (T::one() + spin.round - most).max(T::zero());
-        let kept = (most + z.squared() * spin.inverse_round).inverse_root();
+        let kept = spin.cut(tried);
         let reached = tried * kept.squared();
         let offered = [px, py, wide];
         let (px, py, wide) = (px * kept, py * kept, wide * kept);

@@ -129,21 +129,9 @@ impl<F: Real> EllipseStrips<F> {
     ) -> Rows<F, ROWS> {
         let strips = CommonCreepage::<P>::new(law, P::all);
         let sum = if P::COUNT >= 4 {
-            self.chains::<P, ROWS>(&strips, 0)
-        } else if ROWS == VALUES {
-            self.one_by_one::<P, ROWS>(&strips)
+            self.chains::<P, ROWS>(&strips)
         } else {
-            // (c0 + c2 and c1 + c3, each where it stays: four chains at a time would take room)
-            let mut halves = [[[P::zero(); 6]; ROWS]; 2];
-            for lane in [0, 2, 1, 3] {
-                let sums = self.chains::<P, ROWS>(&strips, lane);
-                if let Some(half) = halves.get_mut(lane & 1) {
-                    add(half.as_flattened_mut(), sums.as_flattened().iter().copied());
-                }
-            }
-            let [mut first, second] = halves;
-            add(first.as_flattened_mut(), second.as_flattened().iter().copied());
-            first
+            self.one_by_one::<P, ROWS>(&strips)
         };
         let mut totals = [[F::zero(); 6]; ROWS];
         for (total, sum) in totals.as_flattened_mut().iter_mut().zip(sum.as_flattened()) {
@@ -152,14 +140,10 @@ impl<F: Real> EllipseStrips<F> {
         totals
     }
 
-    /// The sums over every four, from this lane on.
+    /// The sums over every four.
     #[inline(always)]
-    fn chains<P: Strips<F>, const ROWS: usize>(
-        &self,
-        strips: &CommonCreepage<P>,
-        lane: usize,
-    ) -> Rows<P, ROWS> {
-        let fours = const { if P::COUNT < 4 { 1 } else { P::COUNT / 4 } };
+    fn chains<P: Strips<F>, const ROWS: usize>(&self, strips: &CommonCreepage<P>) -> Rows<P, ROWS> {
+        let fours = const { P::COUNT / 4 };
         // Each of the four partial sums is added separately, in the order 0, 2, 1, 3, and then to
         // its half.
         let (chains, nothing) = (4 / fours, [[P::zero(); 6]; ROWS]);
@@ -168,7 +152,7 @@ impl<F: Real> EllipseStrips<F> {
             let chain = if chains == 4 { (k & 1) << 1 | k >> 1 } else { k };
             let mut sums = nothing;
             for group in self.rule.fours.chunks_exact(fours).skip(chain).step_by(chains) {
-                self.add_strips(strips, group, lane, &mut sums);
+                self.add_strips(strips, group, 0, &mut sums);
             }
             if let Some(half) = halves.get_mut(2 * k / chains) {
                 add(half.as_flattened_mut(), sums.as_flattened().iter().copied());
@@ -181,30 +165,39 @@ impl<F: Real> EllipseStrips<F> {
         first
     }
 
-    /// The sums over all strips, one after the other: all four partial sums of a lane at once, with
-    /// fewer loops, and with more stack where there are derivatives.
+    /// The sums over all strips, one after the other. A partial sum of one strip is added where it
+    /// belongs without a place of its own.
     #[inline(always)]
     fn one_by_one<P: Strips<F>, const ROWS: usize>(
         &self,
         strips: &CommonCreepage<P>,
     ) -> Rows<P, ROWS> {
-        let nothing = [[P::zero(); 6]; ROWS];
-        let mut halves = [nothing; 2];
+        // (Zeros that the compiler knows it would write by a call.)
+        let [x, ..] = strips.law;
+        let nothing = [[x - x; 6]; ROWS];
+        let last = if self.rule.fours.len() <= 4 { 1 } else { 3 };
+        let mut lanes = [nothing; 2];
+        let mut chains = [nothing; 4];
         for lane in [0, 2, 1, 3] {
-            let mut chains = [nothing; 4];
-            for (i, group) in self.rule.fours.chunks_exact(1).enumerate() {
-                if let Some(sums) = chains.get_mut(i & 3) {
-                    self.add_strips(strips, group, lane, sums);
+            for sums in chains.iter_mut().take(last + 1) {
+                *sums = nothing;
+            }
+            for (i, four) in self.rule.fours.iter().enumerate() {
+                if let Some(sums) = chains.get_mut(i & last) {
+                    self.add_strips(strips, core::slice::from_ref(four), lane, sums);
                 }
             }
-            let [c0, c1, c2, c3] = chains.each_ref().map(|chain| chain.as_flattened());
-            let sums = c0.iter().zip(c1).zip(c2.iter().zip(c3));
-            let sums = sums.map(|((c0, c1), (c2, c3))| (*c0 + *c2) + (*c1 + *c3));
-            if let Some(half) = halves.get_mut(lane & 1) {
-                add(half.as_flattened_mut(), sums);
+            let [first, second, third, fourth] = &mut chains;
+            if last == 3 {
+                add(first.as_flattened_mut(), third.as_flattened().iter().copied());
+                add(second.as_flattened_mut(), fourth.as_flattened().iter().copied());
+            }
+            add(first.as_flattened_mut(), second.as_flattened().iter().copied());
+            if let Some(lanes) = lanes.get_mut(lane & 1) {
+                add(lanes.as_flattened_mut(), first.as_flattened().iter().copied());
             }
         }
-        let [mut first, second] = halves;
+        let [mut first, second] = lanes;
         add(first.as_flattened_mut(), second.as_flattened().iter().copied());
         first
     }
