@@ -215,6 +215,15 @@ plain!(
         }
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
         #[inline(always)]
+        fn chains_at_once<const C: usize, const R: usize>(
+            start: &[f32; C],
+            inputs: &[f32; R],
+            rows: &[[f32; C]; R],
+        ) -> [f32; C] {
+            super::rows::chains(start, inputs, rows)
+        }
+        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
+        #[inline(always)]
         fn add_rows_beside<const C: usize, const R: usize>(
             sums: &mut [[f32; 4]; C],
             inputs: &[[f32; 4]; R],

@@ -16,6 +16,10 @@ struct RowSums<const W: usize>([f32; W]);
 type SumsOfRows<const W: usize> =
     unsafe extern "C" fn(*const f32, *const f32, *const f32, usize) -> RowSums<W>;
 
+/// A function for chains of so many columns.
+type Chains<const W: usize> =
+    unsafe extern "C" fn(*const f32, *const f32, *const f32) -> RowSums<W>;
+
 /// `name: sums, number, weights some after the other, each with its products`: a function that
 /// returns `start + Σ xᵢ wᵢ` of `n` rows, all sums in registers. The products: sum, weight.
 macro_rules! sums_of_rows {
@@ -69,6 +73,84 @@ sums_of_rows!(
         "s25-s30": 12 25, 13 26, 14 27, 15 28, 16 29, 17 30;
         "s25-s30": 18 25, 19 26, 20 27, 21 28, 22 29, 23 30;
 );
+
+/// A unit's number and its six weights, and their products, added to or put into six sums.
+macro_rules! unit {
+    ($operation:literal: $($sum:literal)*) => {
+        unit!(@ $operation: $($sum)*; 25 26 27 28 29 30)
+    };
+    (@ $operation:literal: $a:literal $b:literal $c:literal $d:literal $e:literal $f:literal;
+        $($weight:literal)*) => {
+        concat!(
+            "vldmia r2!, {{s24}}\n vldmia r3!, {{s25-s30}}\n",
+            $operation, ".f32 s", $a, ", s24, s25\n", $operation, ".f32 s", $b, ", s24, s26\n",
+            $operation, ".f32 s", $c, ", s24, s27\n", $operation, ".f32 s", $d, ", s24, s28\n",
+            $operation, ".f32 s", $e, ", s24, s29\n", $operation, ".f32 s", $f, ", s24, s30",
+        )
+    };
+}
+
+/// `start + Σ xᵢ wᵢ` of 14 units with six weights each, in four chains as `(c₀ + c₂) + (c₁ + c₃)`.
+///
+/// # Safety
+/// `start` is six numbers, `x` is 14 and `w` as many rows of six.
+#[unsafe(naked)]
+unsafe extern "C" fn chains_of_14(start: *const f32, x: *const f32, w: *const f32) -> RowSums<6> {
+    core::arch::naked_asm!(
+        "vpush {{d8-d15}}",
+        "vldmia r1, {{s0-s5}}",
+        unit!("vmla": 0 1 2 3 4 5),
+        unit!("vmul": 6 7 8 9 10 11),
+        unit!("vmul": 12 13 14 15 16 17),
+        unit!("vmul": 18 19 20 21 22 23),
+        "mov r12, #2",
+        "2:",
+        unit!("vmla": 0 1 2 3 4 5),
+        unit!("vmla": 6 7 8 9 10 11),
+        unit!("vmla": 12 13 14 15 16 17),
+        unit!("vmla": 18 19 20 21 22 23),
+        "subs r12, r12, #1",
+        "bne 2b",
+        unit!("vmla": 0 1 2 3 4 5),
+        unit!("vmla": 6 7 8 9 10 11),
+        "vadd.f32 s0, s0, s12",
+        "vadd.f32 s6, s6, s18",
+        "vadd.f32 s0, s0, s6",
+        "vadd.f32 s1, s1, s13",
+        "vadd.f32 s7, s7, s19",
+        "vadd.f32 s1, s1, s7",
+        "vadd.f32 s2, s2, s14",
+        "vadd.f32 s8, s8, s20",
+        "vadd.f32 s2, s2, s8",
+        "vadd.f32 s3, s3, s15",
+        "vadd.f32 s9, s9, s21",
+        "vadd.f32 s3, s3, s9",
+        "vadd.f32 s4, s4, s16",
+        "vadd.f32 s10, s10, s22",
+        "vadd.f32 s4, s4, s10",
+        "vadd.f32 s5, s5, s17",
+        "vadd.f32 s11, s11, s23",
+        "vadd.f32 s5, s5, s11",
+        "vstmia r0, {{s0-s5}}",
+        "vpop {{d8-d15}}",
+        "bx lr",
+    )
+}
+
+/// What `Real::chains_at_once` does.
+#[inline(always)]
+pub(super) fn chains<const C: usize, const R: usize>(
+    start: &[f32; C],
+    inputs: &[f32; R],
+    rows: &[[f32; C]; R],
+) -> [f32; C] {
+    const { assert!(C == 6 && R == 14) };
+    // SAFETY: the function is that for these sizes; it reads all of the arrays.
+    unsafe {
+        let chains = transmute::<*const (), Chains<C>>(chains_of_14 as *const ());
+        chains(start.as_ptr(), inputs.as_ptr(), rows.as_ptr().cast()).0
+    }
+}
 
 /// Adds `n` rows of weights to `W` columns of four sums each: the registers of the sums, of the
 /// four numbers of a row, and of its weights; the products: sum, number, weight.

@@ -52,6 +52,19 @@ pub(crate) const fn couples_as_rows<const R: usize, const P: usize, const C: usi
     rows
 }
 
+/// Columns as rows.
+pub(crate) const fn columns_as_rows<const R: usize, const C: usize>(
+    table: &[[f64; C]; R],
+) -> [[f64; R]; C] {
+    let mut columns = [[0.0; R]; C];
+    let mut i = 0;
+    while i < R * C {
+        columns[i % C][i / C] = table[i / C][i % C];
+        i += 1;
+    }
+    columns
+}
+
 /// A row of numbers.
 #[inline]
 pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {

@@ -230,7 +230,17 @@ pub trait Real: Number<Base = Self> + InRegisters {
     ) -> [Self; C] {
         *start
     }
-    /// The same of a value and three derivatives, added to the sums.
+    /// The same of six columns and fourteen rows, in four chains: `(c₀ + c₂) + (c₁ + c₃)`, row
+    /// `i` in chain `i mod 4`.
+    #[inline(always)]
+    fn chains_at_once<const C: usize, const R: usize>(
+        start: &[Self; C],
+        _inputs: &[Self; R],
+        _rows: &[[Self::Stored; C]; R],
+    ) -> [Self; C] {
+        *start
+    }
+    /// `start + Σ xᵢ rowᵢ` of a value and three derivatives, added to the sums.
     #[inline(always)]
     fn add_rows_beside<const C: usize, const R: usize>(
         _sums: &mut [[Self; 4]; C],

@@ -297,8 +297,8 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
     }
     let limit = T::Base::of(largest_linear_force::<T>());
     if size.exceeds(limit) {
-        let factor = T::from_base((size - limit).choose(limit / size, T::Base::one()));
-        creepage = T::each(&creepage, |v| *v * factor);
+        let factor = (size - limit).choose(limit / size, T::Base::one());
+        creepage = T::each(&creepage, |v| v.scale(factor));
     }
     creepage
 }

@@ -4,8 +4,8 @@
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
 use crate::number::lanes::Lanes;
 use crate::number::tables::{
-    ValueAndSlopes, add_rows, add_rows_to, beside_zeros, couples_as_rows, from_side_by_side, row,
-    table, widen,
+    ValueAndSlopes, add_rows, add_rows_to, beside_zeros, columns_as_rows, couples_as_rows,
+    from_side_by_side, row, table, widen,
 };
 use crate::number::{Number, Real, Strips};
 
@@ -15,6 +15,8 @@ const INPUTS: usize = FIRST.len();
 /// Units of the two hidden layers.
 const UNITS_1: usize = SECOND.len() - 1;
 const UNITS_2: usize = 2 * LAST[0].len();
+/// The weights of each output.
+const LAST_ROWS: [[f64; UNITS_2]; 6] = couples_as_rows(&LAST);
 
 /// Six corrections for one contact: sums of the first layer over what depends on the contact only.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +58,13 @@ impl<F: Real> TotalNetwork<F> {
         let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
             activation(add_rows_to::<F, P, _, _>(second_offset, units.iter().copied(), second));
-        let mut outputs = last_layer(&units, |unit| *unit, row(last_offset)).map(T::from_base);
+        let offset = row(last_offset);
+        let mut outputs = if F::HAS_ROWS {
+            F::chains_at_once(&offset, &units, table!(F, columns_as_rows(&LAST_ROWS)))
+        } else {
+            last_layer(&units, |unit| *unit, offset)
+        }
+        .map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
@@ -84,10 +92,21 @@ fn moved<F: Real, P: Strips<F>>(
     last_layer(&times(units, slopes_2), |unit| *unit, [F::zero(); 6])
 }
 
-/// Replaces sums and their derivatives, side by side, by units and theirs.
+/// Replaces sums and their derivatives, side by side, by units and theirs. One loop for both
+/// layers, which keeps the code small.
+#[inline(never)]
+fn move_on<F: Real>(sums: &mut [ValueAndSlopes<F>]) {
+    const { assert!(UNITS_1 % 4 == 2 && UNITS_2 % 4 == 2) };
+    let (fours, rest) = sums.as_chunks_mut::<4>();
+    fours.iter_mut().for_each(move_each);
+    if let Some(two) = rest.first_chunk_mut::<2>() {
+        move_each(two);
+    }
+}
+
 #[inline(always)]
-fn move_on<F: Real, const N: usize>(sums: &mut [ValueAndSlopes<F>; N]) {
-    let (units, slopes) = activation(sums.map(|[sum, ..]| sum));
+fn move_each<F: Real, const N: usize>(sums: &mut [ValueAndSlopes<F>; N]) {
+    let (units, slopes) = activation(F::each(sums, |[sum, ..]| *sum));
     for ((sum, unit), slope) in sums.iter_mut().zip(units).zip(slopes) {
         let [_, x, y, z] = *sum;
         *sum = [unit, x * slope, y * slope, z * slope];
@@ -101,9 +120,7 @@ fn last_layer<F: Real, U>(
     number: impl Fn(&U) -> F,
     mut outputs: [F; 6],
 ) -> [F; 6] {
-    for (output, weights) in
-        outputs.iter_mut().zip(table!(F, couples_as_rows::<6, _, UNITS_2>(&LAST)))
-    {
+    for (output, weights) in outputs.iter_mut().zip(table!(F, LAST_ROWS)) {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
             for ((sum, unit), weight) in sums.iter_mut().zip(units).zip(weights) {

@@ -92,11 +92,24 @@ impl<F: Real> RigidSlip<F> {
     /// `κ = T`.
     #[inline(always)]
     pub(super) fn at<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
+        if cfg!(target_os = "none") && T::HAS_DERIVATIVES {
+            return self.at_apart(v, squares);
+        }
+        self.of_creepages(v, squares)
+    }
+
+    #[inline(never)]
+    fn at_apart<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
+        self.of_creepages(v, squares)
+    }
+
+    #[inline(always)]
+    fn of_creepages<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
         let ([vx, vy, phi], [vx2, vy2, phi2]) = (v, squares);
         let spin2 = phi2.scale(self.both);
         // small terms: no quotient 0/0 at rest
         let n = (vx2 + vy2 + spin2).plus(1e-12);
-        let share = T::one() / n;
+        let share = n.inverse();
         let shares = [vx2 * share, vy2 * share, spin2 * share];
         let [u, v, t] = shares;
         let [x, y, z, d, arm] = self.polynomials(u.value(), v.value(), t.value());
