@@ -79,8 +79,8 @@ pub(super) fn evaluate<F: Float>(
     put(places.result, *solution);
     put(places.friction, friction);
     if let Some((derivatives, law)) = slopes {
-        put(places.derivatives, *derivatives);
-        put(places.law_derivatives, *law);
+        put_by_halves(places.derivatives, derivatives);
+        put_by_halves(places.law_derivatives, law);
     }
     Ok(warning)
 }

@@ -11,7 +11,8 @@ use crate::status::Error;
 /// # Errors
 /// Those of [`Contact::check`] and [`Creepage::check`]; [`Error::Overflow`] when a force, the
 /// moment or the power could be beyond the floating-point type.
-#[inline]
+#[cfg_attr(target_arch = "x86_64", inline)]
+#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
 pub fn check<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

@@ -36,7 +36,7 @@ use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real};
+use crate::number::{Float, Real, few_are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -123,7 +123,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::Model)
     );
-    if slopes.derivatives.entries().into_iter().all(F::is_finite_number) {
+    if few_are_finite(&slopes.derivatives.entries()) {
         Ok((solution, slopes))
     } else {
         Err(Error::Overflow)

@@ -7,7 +7,7 @@ use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{LayerSlopes, ThroughLayer};
 use crate::friction::{self, SlipFriction};
-use crate::number::{Float, are_finite};
+use crate::number::{Float, few_are_finite};
 use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
@@ -260,7 +260,7 @@ fn at_friction<F: Float>(
     let Some(law) = law.filter(|_| !lost) else {
         let Slopes { derivatives, by_mismatch, .. } = *slopes;
         let law = without_law(&derivatives, by_mismatch, creepage);
-        Error::Overflow.unless(are_finite(&law.slope_factor))?;
+        Error::Overflow.unless(few_are_finite(&law.slope_factor))?;
         return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
     };
     let (motion, load) = (*creepage, contact.normal_force);
@@ -268,7 +268,8 @@ fn at_friction<F: Float>(
     let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
     let falls = law.falls() && options.model != Model::Linear;
     let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
-    Error::Overflow.unless(are_finite(&derivatives.entries()) && are_finite(&law.entries()))?;
+    Error::Overflow
+        .unless(few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries()))?;
     Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
 }
 

@@ -108,6 +108,16 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     sums.iter().all(|sum| sum.is_finite_number())
 }
 
+/// The same of a few. On a microcontroller one sum tells: `0 x` is 0 or NaN.
+#[inline]
+pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool {
+    if cfg!(target_os = "none") {
+        let sum = numbers.iter().fold(F::zero(), |sum, x| sum + *x * F::zero());
+        return sum.is_finite_number();
+    }
+    numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
+}
+
 /// Count from which eight numbers are tested at once.
 const MANY: usize = 32;
 

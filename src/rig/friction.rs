@@ -182,9 +182,10 @@ impl<'a, F: Float> Rig<'a, F> {
     fn solve(&self, friction: F) -> Result<(Solution<F>, [F; 3], F), Error> {
         let contact = Contact { friction, ..self.contact };
         let Some(law) = self.law else {
-            let (solution, slopes) =
-                derivatives::forces_and_derivatives(&contact, self.creepage, self.options)?;
-            return Ok((solution, slopes.friction, friction));
+            // (by reference)
+            let solved = derivatives::solve_with_slopes(&contact, self.creepage, self.options);
+            let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+            return Ok((*solution, slopes.derivatives.friction, friction));
         };
         let law = SlipFriction { friction, ..*law };
         let found =
@@ -233,7 +234,9 @@ impl<'a, F: Float> Rig<'a, F> {
             let agrees = found * target > F::zero();
             return Error::Unexplained.unless(agrees).map(|()| self.at_least());
         }
-        let (search, first, most) = self.search()?;
+        // (in its place: a result would be moved)
+        let mut search = Search::new(self.options.model == Model::Strip1967);
+        let (first, most) = self.search(&mut search)?;
         Error::Unexplained.unless(most + used / unit > F::zero())?;
         let slides = first.value >= F::zero();
         let (friction, settled) = if slides { (used, true) } else { self.smallest(&search)? };
@@ -260,11 +263,9 @@ impl<'a, F: Float> Rig<'a, F> {
         Ok(FrictionEstimate { friction, sensitivity, residual, warning, reserved: 0 })
     }
 
-    /// Searches from the used friction upward, and then in the intervals that may hide roots. Also
-    /// returns the first place and the largest excess.
-    fn search(&mut self) -> Result<(Search<F>, Sample<F>, F), Error> {
-        let jumps = self.options.model == Model::Strip1967;
-        let mut search = Search::new(jumps);
+    /// Searches from the used friction upward, and then in the intervals that may hide roots.
+    /// Returns the first place and the largest excess.
+    fn search(&mut self, search: &mut Search<F>) -> Result<(Sample<F>, F), Error> {
         let one = F::one();
         let end = F::constant(1.0 - 1.0 / RANGE);
         let first = self.excess(self.used / (self.used + self.unit), self.used)?;
@@ -278,7 +279,7 @@ impl<'a, F: Float> Rig<'a, F> {
             let slides = LIMITS.map(F::constant).into_iter().filter(|limit| ratio < *limit);
             let growth = GROWTH.map(F::constant);
             let mut x = last.x * growth.get(slides.count()).copied().unwrap_or(one);
-            if !jumps {
+            if !search.jumps {
                 let reach = ratio + last.value.abs().times(1.0 / STEEPEST);
                 x = x.max(reach / (one + reach));
             }
@@ -293,7 +294,7 @@ impl<'a, F: Float> Rig<'a, F> {
             let place = self.excess(x, self.friction(x))?;
             search.divide(&interval, place);
         }
-        Ok((search, first, most))
+        Ok((first, most))
     }
 
     /// The smallest friction that explains the force, infinite if there is none, and whether it is

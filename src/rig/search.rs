@@ -73,7 +73,7 @@ impl<F: Float> Interval<F> {
 pub(super) struct Search<F> {
     kept: Vec<Interval<F>, KEPT>,
     /// Whether the function jumps, so that nothing bounds its growth.
-    jumps: bool,
+    pub(super) jumps: bool,
 }
 
 impl<F: Float> Search<F> {
@@ -99,7 +99,8 @@ impl<F: Float> Search<F> {
     pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
         let dangerous = self.kept.iter().filter(|kept| kept.danger > F::one());
         let worst = dangerous.reduce(|a, b| if b.danger > a.danger { b } else { a })?;
-        Some((*worst, self.judged(&worst.from, &worst.to).1))
+        let Interval { from, to, danger } = *worst;
+        Some((Interval { from, to, danger }, self.judged(&from, &to).1))
     }
 
     /// Divides an interval that [`next`](Self::next) has returned.
