@@ -65,6 +65,34 @@ pub(crate) const fn columns_as_rows<const R: usize, const C: usize>(
     columns
 }
 
+/// Rows with the columns of even number first, then the others.
+pub(crate) const fn evens_first<const R: usize, const C: usize>(
+    table: &[[f64; C]; R],
+) -> [[f64; C]; R] {
+    let mut sorted = [[0.0; C]; R];
+    let mut i = 0;
+    while i < R * C {
+        let column = i % C;
+        sorted[i / C][column / 2 + column % 2 * (C / 2)] = table[i / C][column];
+        i += 1;
+    }
+    sorted
+}
+
+/// Every second row, from this one on.
+pub(crate) const fn every_second<const R: usize, const C: usize, const HALF: usize>(
+    table: &[[f32; C]; R],
+    first: usize,
+) -> [[f64; C]; HALF] {
+    let (table, mut rows) = (widen(table), [[0.0; C]; HALF]);
+    let mut i = 0;
+    while i < HALF {
+        rows[i] = table[first + 2 * i];
+        i += 1;
+    }
+    rows
+}
+
 /// A row of numbers.
 #[inline]
 pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {

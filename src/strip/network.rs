@@ -1,14 +1,17 @@
 //! The fitted corrections: thirteen features, one layer of units `h/√(1 + h²)`, eight corrections.
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
-use crate::number::lanes::Lanes;
 use crate::number::tables::{
-    add_rows, add_rows_to, beside_zeros, from_side_by_side, row, table, widen,
+    add_rows, add_rows_to, beside_zeros, evens_first, every_second, from_side_by_side, row, table,
+    widen,
 };
 use crate::number::{Number, Real, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
 const UNITS: usize = HIDDEN_OFFSET.len();
+/// Half of the units. Those of even number stand first, because the corrections are sums of two
+/// chains.
+const HALF: usize = UNITS / 2;
 const FEATURES: usize = HIDDEN.len();
 /// Features that depend on the contact alone: the axis ratio and Poisson's ratio.
 const FIXED: [usize; 2] = [3, 4];
@@ -40,7 +43,7 @@ impl<F: Real> StripNetwork<F> {
     /// From `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
     pub fn new(ratio: F, poisson: F) -> Self {
-        let [offset, weights @ ..] = table!(F, widen(&OFFSETS));
+        let [offset, weights @ ..] = table!(F, evens_first(&widen(&OFFSETS)));
         Self {
             start: add_rows_to::<F, F::Four, _, _>(
                 offset,
@@ -52,24 +55,27 @@ impl<F: Real> StripNetwork<F> {
 
     /// The network with its weights.
     #[inline(always)]
-    pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS> {
+    pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS, HALF> {
         let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
-        let (input, output) = (table!(F, widen(&MOVING)), table!(F, widen(&OUTPUT)));
+        let input = table!(F, evens_first(&widen(&MOVING)));
+        let output = [table!(F, every_second(&OUTPUT, 0)), table!(F, every_second(&OUTPUT, 1))];
         Layers { start: &self.start, input, offset, output }
     }
 }
 
 /// One layer of units, and corrections.
-pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
+pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize> {
     /// Sums of the units over the features of the contact.
     pub start: &'a [F; UNITS],
-    /// Weights of the other inputs, of the corrections themselves, and of the units.
+    /// Weights of the other inputs, of the corrections themselves, and of both halves of the units.
     pub input: &'static [[F::Stored; UNITS]; INPUTS],
     pub offset: &'static [F::Stored; CORRECTIONS],
-    pub output: &'static [[F::Stored; CORRECTIONS]; UNITS],
+    pub output: [&'static [[F::Stored; CORRECTIONS]; HALF]; 2],
 }
 
-impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
+impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
+    Layers<'_, F, INPUTS, UNITS, HALF>
+{
     /// The corrections, with the sums side by side in `P`. Out of line where code must be small; in
     /// wide registers it is inlined, because only the caller's code is compiled for them.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
@@ -87,9 +93,19 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
                 let slope = root * root.squared();
                 (*h, *x, *y, *z) = (*h * root, *x * slope, *y * slope, *z * slope);
             }
-            let outputs = beside_zeros(&row::<F, CORRECTIONS>(self.offset)).map(Lanes::new);
-            return last(&units, |unit| Lanes::new(*unit), outputs, self.output)
-                .map(|output| from_side_by_side(output.numbers()));
+            let mut outputs = beside_zeros(&row::<F, CORRECTIONS>(self.offset));
+            let [of_evens, of_odds] = self.output;
+            let (evens, odds) = units.split_at_mut(HALF);
+            if let Some(evens) = evens.first_chunk() {
+                F::add_rows_beside(&mut outputs, evens, of_evens);
+            }
+            if let (Some(others), Some(odds)) = (evens.first_chunk_mut(), odds.first_chunk()) {
+                // (where the units were)
+                *others = [[F::zero(); 4]; CORRECTIONS];
+                F::add_rows_beside(others, odds, of_odds);
+                add(outputs.as_flattened_mut(), others.as_flattened().iter().copied());
+            }
+            return outputs.map(from_side_by_side);
         }
         let values = inputs.iter().map(|x| x.value());
         let mut units = add_rows::<F, P, _, _>(self.start, values, self.input);
@@ -99,8 +115,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
             *h = *h * *root;
             *root = *root * root.squared();
         }
-        let mut outputs =
-            last(&units, |unit| *unit, row(self.offset), self.output).map(T::from_base);
+        let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
         // Derivatives of the corrections, one input after the other.
         for direction in 0..T::DIRECTIONS {
             let moved = self.moved::<P>(&slopes, inputs.iter().map(|x| x.derivative(direction)));
@@ -123,25 +138,23 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }
-        last(&units, |unit| *unit, [F::zero(); CORRECTIONS], self.output)
+        last(&units, [F::zero(); CORRECTIONS], self.output)
     }
 }
 
 /// The last layer, in two chains of additions.
 #[inline(always)]
-fn last<F: Real, U, const UNITS: usize>(
-    units: &[U; UNITS],
-    number: impl Fn(&U) -> F,
+fn last<F: Real, const UNITS: usize, const HALF: usize>(
+    units: &[F; UNITS],
     start: [F; CORRECTIONS],
-    rows: &[[F::Stored; CORRECTIONS]; UNITS],
+    [of_evens, of_odds]: [&[[F::Stored; CORRECTIONS]; HALF]; 2],
 ) -> [F; CORRECTIONS] {
     let (mut sums, mut others) = (start, [F::zero(); CORRECTIONS]);
-    let (units, rows) = (units.as_chunks::<2>().0, rows.as_chunks::<2>().0);
-    for ([a, b], [of_a, of_b]) in units.iter().zip(rows) {
-        let (a, b) = (number(a), number(b));
+    let units = units.iter().zip(units.iter().skip(HALF));
+    for ((a, b), (of_a, of_b)) in units.zip(of_evens.iter().zip(of_odds)) {
         for ((sum, other), (p, q)) in sums.iter_mut().zip(&mut others).zip(of_a.iter().zip(of_b)) {
-            *sum += a * F::stored(*p);
-            *other += b * F::stored(*q);
+            *sum += *a * F::stored(*p);
+            *other += *b * F::stored(*q);
         }
     }
     add(&mut sums, others);
