@@ -4,7 +4,7 @@
 //! kinds side by side and mixes them; forces of strips that are wholly of one kind or the other are
 //! evaluated with their own nodes.
 
-use super::derivative::{SpinSlopes, forces_and_slopes};
+use super::derivative::{SpinSlopes, alone_with_slopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::Tables;
 use crate::number::avx::with_avx;
@@ -135,13 +135,6 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
             }
             continue;
         }
-        // First with the nodes of one kind of strip, then with those of the other.
-        let [x, y, spin, spread, start] =
-            [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
-        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
-        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
-            Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
-        });
         let put = |places: &mut [F; 8], kinds: Lanes<P, 2>| {
             let [outer, own] = kinds.numbers();
             let mixed = outer * (P::one() - inner) + own * inner;
@@ -149,6 +142,30 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
                 *place = mixed.lane(k);
             }
         };
+        if cfg!(target_os = "none") && ROWS == SLOPES {
+            // One kind after the other, by the function of all strips.
+            let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+            let by_spin = SpinSlopes::new(&spin);
+            let [(outer, of_outer), (own, of_own)] =
+                [false, true].map(|kind| alone_with_slopes(&seen, &spin, kind, &by_spin));
+            let own_slopes = of_outer.as_flattened().iter().zip(of_own.as_flattened());
+            for (slopes, (outer, own)) in slopes.as_flattened_mut().iter_mut().zip(own_slopes) {
+                put(slopes, Lanes::new([*outer, *own]));
+            }
+            let outer = [outer.fx, outer.fy, outer.mx, outer.stick];
+            let both = outer.into_iter().zip([own.fx, own.fy, own.mx, own.stick]);
+            for (carried, (outer, own)) in carried.iter_mut().zip(both) {
+                put(carried, Lanes::new([outer, own]));
+            }
+            continue;
+        }
+        // First with the nodes of one kind of strip, then with those of the other.
+        let [x, y, spin, spread, start] =
+            [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
+        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+            Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
+        });
         let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
             let by_spin = SpinSlopes::new(&spin);
             let (carried, own) = forces_and_slopes(&seen, &spin, &constants, &by_spin);

@@ -7,8 +7,8 @@ use super::kernel::{
     NodeState, Separatrix, Spin, Start, StripCreepage, StripForces, Traction, WIDEST, blending,
     forces,
 };
-use super::tables::{Constants, TableNode};
-use crate::number::Arithmetic;
+use super::tables::{Constants, TableNode, Tables};
+use crate::number::{Arithmetic, Real, Strips};
 
 /// Derivatives with respect to `σ` of the numbers that depend on `σ` alone.
 #[derive(Clone, Copy, Debug)]
@@ -75,6 +75,22 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
         m.end(Force::Moment, seen, spin, &start, closed),
     ];
     (carried, slopes)
+}
+
+/// The same of one strip, of the outer or the inner kind: one function for all callers, where code
+/// must be small.
+#[inline(never)]
+pub(super) fn alone_with_slopes<F: Real, P: Strips<F>>(
+    seen: &StripCreepage<P>,
+    spin: &Spin<P>,
+    inner: bool,
+    by_spin: &SpinSlopes<P>,
+) -> (StripForces<P>, [[P; 5]; 3]) {
+    let constants = Tables::<F::Stored, _>::new(|couple: &[_; 2]| {
+        let [outer, own] = *couple;
+        P::all(F::stored(if inner { own } else { outer }))
+    });
+    forces_and_slopes(seen, spin, &constants, by_spin)
 }
 
 /// One of the forces of a strip.

@@ -2,7 +2,7 @@
 //! from being negative.
 
 use super::creepage::{Distribution, Flexibilities};
-use super::derivative::{SpinSlopes, forces_and_slopes};
+use super::derivative::{SpinSlopes, alone_with_slopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, StripForces, forces};
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
 use crate::contact::totals::{StripCount, Totals};
@@ -60,12 +60,12 @@ impl<F: Real> EllipseStrips<F> {
             strips: &EllipseStrips<F> = self,
             creepage: [T; 3]
         ) -> Totals<T> {
-            let law = strips.contact.seen::<T, F::Four>(creepage);
             if cfg!(target_os = "none") {
                 // Machines without wide registers compute one strip after the other, which needs
-                // less flash.
-                strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&law)
+                // less flash, with the creepages that strips of other shapes have too.
+                strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&strips.contact.see(creepage))
             } else {
+                let law = strips.contact.seen::<T, F::Four>(creepage);
                 strips.totals_of::<T, F::Four, F::Four>(&law)
             }
         } {
@@ -118,15 +118,29 @@ impl<F: Real> EllipseStrips<F> {
         Totals { fx, fy, mz, stick: stick.clamped(F::zero(), F::one()) }
     }
 
-    /// Sums over the strips, `P` of them at a time.
-    ///
-    /// Four partial sums per lane, added as `(c₀ + c₂) + (c₁ + c₃)`, then the lanes likewise, so
-    /// that the result does not depend on the width of the register.
+    /// Sums over the strips, `P` of them at a time. (Out of line where code must be small and the
+    /// stack short: it needs no room while the creepages of the strips are computed.)
     #[inline(always)]
     pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
         &self,
         law: &Distribution<F>,
     ) -> Rows<F, ROWS> {
+        if cfg!(target_os = "none") {
+            self.sums_apart::<P, ROWS>(law)
+        } else {
+            self.sums_of::<P, ROWS>(law)
+        }
+    }
+
+    #[inline(never)]
+    fn sums_apart<P: Strips<F>, const ROWS: usize>(&self, law: &Distribution<F>) -> Rows<F, ROWS> {
+        self.sums_of::<P, ROWS>(law)
+    }
+
+    /// Four partial sums per lane, added as `(c₀ + c₂) + (c₁ + c₃)`, then the lanes likewise, so
+    /// that the result does not depend on the width of the register.
+    #[inline(always)]
+    fn sums_of<P: Strips<F>, const ROWS: usize>(&self, law: &Distribution<F>) -> Rows<F, ROWS> {
         let strips = CommonCreepage::<P>::new(law, P::all);
         let sum = if P::COUNT >= 4 {
             self.chains::<P, ROWS>(&strips)
@@ -174,6 +188,7 @@ impl<F: Real> EllipseStrips<F> {
     ) -> Rows<P, ROWS> {
         // (Zeros that the compiler knows it would write by a call.)
         let [x, ..] = strips.law;
+        #[allow(clippy::eq_op)]
         let nothing = [[x - x; 6]; ROWS];
         let last = if self.rule.fours.len() <= 4 { 1 } else { 3 };
         let mut lanes = [nothing; 2];
@@ -223,8 +238,12 @@ impl<F: Real> EllipseStrips<F> {
         let seen = strips.seen(&fields);
         let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
             let arms = [self.contact.root, self.contact.upright].map(P::all);
-            let (carried, own) =
-                forces_and_slopes(&seen, &strips.spin, &constants, &strips.by_spin);
+            let (spin, by_spin) = (&strips.spin, &strips.by_spin);
+            let (carried, own) = if P::COUNT == 1 {
+                alone_with_slopes(&seen, spin, lane & 1 == 1, by_spin)
+            } else {
+                forces_and_slopes(&seen, spin, &constants, by_spin)
+            };
             let own = by_law(own, &fields, arms);
             add(
                 sums.as_flattened_mut().get_mut(6..).unwrap_or_default(),
