@@ -241,19 +241,42 @@ fn at_friction<F: Float>(
     options: &Options,
     warning: Warning,
 ) -> Result<Differentiated<F>, Error> {
+    if let Some(law) = law.filter(|law| law.has_interface()) {
+        return at_interface(contact, creepage, law, options, warning);
+    }
     // (by reference)
-    let (solved, through);
-    let (solution, slopes, of_layer) = match law.filter(|law| law.has_interface()) {
-        None => {
-            solved = solve_with_slopes(contact, creepage, options);
-            let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
-            (solution, slopes, None)
-        }
-        Some(law) => {
-            through = ThroughLayer { law, creepage, options }.differentiate(contact)?;
-            (&through.0, &through.1, Some(&through.2))
-        }
-    };
+    let solved = solve_with_slopes(contact, creepage, options);
+    let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+    let falls = options.model != Model::Linear;
+    through_law(contact, creepage, law, falls, (solution, slopes, None), warning)
+}
+
+/// The same of a law with a layer or a slide factor.
+#[inline(never)]
+fn at_interface<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: &SlipFriction<F>,
+    options: &Options,
+    warning: Warning,
+) -> Result<Differentiated<F>, Error> {
+    let solved = ThroughLayer { law, creepage, options }.differentiate(contact);
+    let (solution, slopes, of_layer) = solved.as_ref().map_err(|error| *error)?;
+    let falls = options.model != Model::Linear;
+    through_law(contact, creepage, Some(law), falls, (solution, slopes, Some(of_layer)), warning)
+}
+
+/// All derivatives from those at constant friction; whether friction falls where the law does.
+#[cfg_attr(target_arch = "x86_64", inline(always))]
+#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+fn through_law<F: Float>(
+    contact: &Contact<F>,
+    creepage: &Creepage<F>,
+    law: Option<&SlipFriction<F>>,
+    falls: bool,
+    (solution, slopes, of_layer): (&Solution<F>, &Slopes<F>, Option<&LayerSlopes<F>>),
+    warning: Warning,
+) -> Result<Differentiated<F>, Error> {
     let solution = Solution { warning: solution.warning.worse(warning), ..*solution };
     let friction = contact.friction;
     let lost = contact.is_lost();
@@ -266,10 +289,9 @@ fn at_friction<F: Float>(
     let (motion, load) = (*creepage, contact.normal_force);
     let (power, besides) = (solution.power, BesidesSlopes::nothing());
     let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
-    let falls = law.falls() && options.model != Model::Linear;
-    let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
-    Error::Overflow
-        .unless(few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries()))?;
+    let (derivatives, law, by_mismatch) = at.through(law, falls && law.falls(), of_layer);
+    let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
+    Error::Overflow.unless(fit)?;
     Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
 }
 
