@@ -1996,7 +1996,7 @@ typedef struct kstrip_wrench_by_position {
  *                        difference of creep forces, within 1e-6 of the largest of the column at
  *                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks;
  *                        over a roller two-sided differences, at eight times the cost. Up to
- *                        200 kB of stack on a PC. NULL: not needed.
+ *                        100 kB of stack on a PC. NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
  *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
  *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,

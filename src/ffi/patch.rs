@@ -5,6 +5,7 @@ use super::support::*;
 use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::{Profile, ProfileContact};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
+use heapless::Vec;
 
 impl<F: Float> StoredPatch<F> {
     /// A patch without strips, written in place because it is large.
@@ -134,7 +135,8 @@ pub(super) fn from_profile<F: Float>(
         smoothing_length,
     };
     let count = strip_count(options.strips)?;
-    let mut cells = Cells::none();
+    let mut list = Vec::<_, CELLS>::new();
+    let mut cells = Cells { list: list.as_mut_view() };
     let mut found = Indentation::new(profile, &contact, count, &mut cells)?;
     of_cells(&contact, &cells, &mut found, out)?;
     Ok(found)

@@ -3,11 +3,15 @@
 use crate::normal::profile::WithSlope;
 use crate::number::{Arithmetic, Float};
 use core::f64::consts::FRAC_PI_2;
-use heapless::Vec;
+use heapless::VecView;
 
 /// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
 /// patches asked for with 32 and 64 strips have fewer.
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
+
+/// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
+/// need no memory for more.
+pub(crate) const FEW: usize = if CELLS < 28 { CELLS } else { 28 };
 
 /// A cell of the normal problem, or a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
@@ -77,19 +81,12 @@ impl<F: Float, const N: usize> Cell<F, N> {
     }
 }
 
-/// Cells in ascending `y`.
-#[derive(Clone, Debug)]
-pub(crate) struct Cells<F, const N: usize> {
-    pub list: Vec<Cell<F, N>, CELLS>,
+/// Cells in ascending `y`, in a list of the caller's.
+pub(crate) struct Cells<'a, F, const N: usize> {
+    pub list: &'a mut VecView<Cell<F, N>>,
 }
 
-impl<F: Float, const N: usize> Cells<F, N> {
-    /// No cells.
-    #[inline(always)]
-    pub(crate) fn none() -> Self {
-        Self { list: Vec::new() }
-    }
-
+impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// `N/(π E*)`
     pub(crate) fn load(&self) -> WithSlope<F, N> {
         self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
@@ -100,7 +97,7 @@ impl<F: Float, const N: usize> Cells<F, N> {
     pub(crate) fn means(&self, of: impl Fn(WithSlope<F, N>) -> F) -> [F; 2] {
         let (mut sum, mut weight) = (F::zero(), F::TINY);
         let (mut widths, mut loads) = (F::zero(), F::TINY);
-        for cell in &self.list {
+        for cell in self.list.iter() {
             let (a, p, width) = (of(cell.half_length), of(cell.pressure), of(cell.width));
             let load = p * width;
             sum += load * a * p;

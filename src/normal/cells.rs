@@ -20,7 +20,7 @@
 //! and takes the neighbour's value as its width vanishes.
 
 pub use crate::normal::cell::CELLS;
-pub(crate) use crate::normal::cell::{Cell, Cells};
+pub(crate) use crate::normal::cell::{Cell, Cells, FEW};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
 use crate::normal::profile::WithSlope;
@@ -51,7 +51,7 @@ impl<F> Given<F> {
     }
 }
 
-impl<F: Float, const N: usize> Cells<F, N> {
+impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
     /// of each, and whether it may touch, and `centre_x` the centre.
     pub(super) fn fill(
@@ -59,7 +59,7 @@ impl<F: Float, const N: usize> Cells<F, N> {
         of: impl Fn(WithSlope<F, N>) -> ([WithSlope<F, N>; 3], bool),
         centre_x: impl Fn(WithSlope<F, N>) -> WithSlope<F, N>,
     ) {
-        for cell in &mut self.list {
+        for cell in self.list.iter_mut() {
             let ([distance, rolling_radius, half_length], touches) = of(cell.at);
             (cell.distance, cell.rolling_radius) = (distance, rolling_radius);
             (cell.half_length, cell.touches) = (half_length, touches);
@@ -68,24 +68,26 @@ impl<F: Float, const N: usize> Cells<F, N> {
     }
 
     /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns
-    /// the approach.
+    /// the approach. Where there is room for the derivatives of the influence in no direction, they
+    /// are computed when the pressures are known: four directions would take most of the stack.
     #[inline(never)]
-    pub(crate) fn press<const ROOM: usize>(
+    pub(crate) fn press<const STORED: usize, const ROOM: usize>(
         &mut self,
-        equations: &mut Equations<F, N, ROOM>,
+        equations: &mut Equations<F, STORED, ROOM>,
         given: Given<WithSlope<F, N>>,
     ) -> WithSlope<F, N> {
         equations.make_room(self.list.len());
-        let mut across = Across::new();
+        let mut across = Across::<F, STORED>::new();
         for (j, cell) in self.list.iter().enumerate() {
-            across.fill::<Deflection>(&CellEdges::new(cell), &self.list);
-            let entries = across.differences().map(|difference| difference * cell.half_length);
+            across.fill::<Deflection, N>(&CellEdges::new(cell), self.list);
+            let half_length = stored(cell.half_length);
+            let entries = across.differences().map(|difference| difference * half_length);
             equations.set_column(j, entries);
         }
         for (i, cell) in self.list.iter().enumerate() {
             let [before, after] = cell.coupling;
             for (kappa, k) in [(before, i.wrapping_sub(1)), (after, i + 1), (cell.alone, CELLS)] {
-                equations.add_coupling(i, k, kappa);
+                equations.add_coupling(i, k, stored(kappa));
             }
         }
         // (coarse cells may all begin beyond the reach of their zone)
@@ -145,11 +147,14 @@ impl<F: Float, const N: usize> Cells<F, N> {
             if changed && round + 1 < ROUNDS {
                 continue;
             }
+            if STORED < N {
+                self.add_slopes(equations, &pressures);
+            }
             // A dp = dδ − dh − dA p
             for d in 0..N {
                 let of = |number: &WithSlope<F, N>| number.derivative(d);
                 let mut rest = [F::zero(); CELLS];
-                for (rest, cell) in rest.iter_mut().zip(&self.list) {
+                for (rest, cell) in rest.iter_mut().zip(self.list.iter()) {
                     *rest = -of(&cell.distance);
                 }
                 equations.solve_for_slopes(d, &touching, &pressures, &mut rest);
@@ -167,14 +172,46 @@ impl<F: Float, const N: usize> Cells<F, N> {
                     cell.pressure.set_derivative(d, slope * one + rest);
                 }
             }
+            if STORED < N {
+                // (past the last cell the influence is zero)
+                equations.clear_influence();
+            }
             break;
         }
-        for cell in &mut self.list {
+        for cell in self.list.iter_mut() {
             if !(cell.touches && cell.pressure.value > F::zero()) {
                 cell.pressure = WithSlope::zero();
             }
         }
         approach
+    }
+
+    /// Computes `dA p` of all directions. Its sums replace the influence.
+    #[inline(never)]
+    fn add_slopes<const STORED: usize, const ROOM: usize>(
+        &self,
+        equations: &mut Equations<F, STORED, ROOM>,
+        pressures: &[F; CELLS],
+    ) {
+        const { assert!(4 * N <= ROOM) };
+        equations.clear_influence();
+        let mut across = Across::<F, N>::new();
+        let pressed = self.list.iter().zip(pressures).enumerate();
+        for (j, (cell, pressure)) in pressed.filter(|(_, (_, p))| **p != F::zero()) {
+            across.fill::<Deflection, N>(&CellEdges::new(cell), self.list);
+            for ((i, own), difference) in self.list.iter().enumerate().zip(across.differences()) {
+                let mut entry = difference * cell.half_length;
+                let [before, after] = own.coupling;
+                if i == j {
+                    entry = entry + before + after + own.alone;
+                } else if i == j + 1 {
+                    entry -= before;
+                } else if i + 1 == j {
+                    entry -= after;
+                }
+                equations.add_slopes(i, j, &entry.gradient, *pressure);
+            }
+        }
     }
 
     /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of
@@ -186,7 +223,7 @@ impl<F: Float, const N: usize> Cells<F, N> {
         let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
-            across.fill::<Curvature>(&CellEdges::new(cell), &self.list);
+            across.fill::<Curvature, N>(&CellEdges::new(cell), self.list);
             for (sum, difference) in curvatures.iter_mut().zip(across.differences()) {
                 *sum += difference * share;
             }
@@ -210,14 +247,23 @@ struct CellEdges<F, const N: usize> {
     scale: F,
 }
 
+/// A number with the first of its derivatives.
+#[inline(always)]
+fn stored<F: Float, const N: usize, const STORED: usize>(
+    x: WithSlope<F, N>,
+) -> WithSlope<F, STORED> {
+    WithSlope { value: x.value, gradient: core::array::from_fn(|k| x.derivative(k)) }
+}
+
 impl<F: Float, const N: usize> CellEdges<F, N> {
-    fn new(cell: &Cell<F, N>) -> Self {
-        let half = cell.width.times(0.5);
-        let a = cell.half_length;
+    #[inline(always)]
+    fn new<const ALL: usize>(cell: &Cell<F, ALL>) -> Self {
+        let (y, a): (WithSlope<F, N>, WithSlope<F, N>) = (stored(cell.y), stored(cell.half_length));
+        let half = stored::<_, ALL, N>(cell.width).times(0.5);
         let scale = F::one() / a.value;
         Self {
-            lower: cell.y - half,
-            upper: cell.y + half,
+            lower: y - half,
+            upper: y + half,
             half_length: a.value,
             growth: a.gradient.map(|growth| growth * scale),
             scale,
@@ -294,7 +340,11 @@ impl<F: Float, const N: usize> Across<F, N> {
     /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
     /// edge is as far as the other's upper edge.
     #[inline(always)]
-    fn fill<E: StripEdge>(&mut self, edges: &CellEdges<F, N>, cells: &[Cell<F, N>]) {
+    fn fill<E: StripEdge, const ALL: usize>(
+        &mut self,
+        edges: &CellEdges<F, N>,
+        cells: &[Cell<F, ALL>],
+    ) {
         let Self { values, slopes, is_lower, count } = self;
         let width = (edges.upper - edges.lower).value;
         let close = width * F::EPSILON.times(256.0);
@@ -306,11 +356,11 @@ impl<F: Float, const N: usize> Across<F, N> {
         };
         let mut last: Option<F> = None;
         for cell in cells {
-            let place = cell.at.value;
+            let (place, at) = (cell.at.value, stored(cell.at));
             if !last.is_some_and(|before| (place - before - width).abs() <= close) {
-                add(cell.at - edges.upper, false);
+                add(at - edges.upper, false);
             }
-            add(cell.at - edges.lower, true);
+            add(at - edges.lower, true);
             last = Some(place);
         }
         *count = EDGES - places.len();

@@ -17,9 +17,9 @@ pub(super) type Column<F> = [F; CELLS];
 
 /// The equation of a cell, with room for so many, a multiple of four.
 struct Row<F, const N: usize, const ROOM: usize> {
-    /// `∂u_i/∂p_j`
+    /// `∂u_i/∂p_j`; at last four sums for each direction whose slopes have no room.
     influence: [F; ROOM],
-    /// Their derivatives.
+    /// Their derivatives in the directions that have room.
     slopes: [[F; ROOM]; N],
     /// Of Gauss's elimination.
     factors: [F; ROOM],
@@ -109,10 +109,30 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
             for (own, row) in side.iter_mut().zip(&equations.rows) {
                 if let Some(slopes) = row.slopes.get(direction) {
                     *own -= product(slopes, pressures, fours.clone());
+                } else if let Some(sums) = row.influence.as_chunks::<4>().0.get(direction) {
+                    *own -= total(sums);
                 }
             }
             equations.substitute(touching, side);
         });
+    }
+
+    /// Makes the influence zero, in whose place sums stand after that.
+    pub(super) fn clear_influence(&mut self) {
+        for row in &mut self.rows {
+            row.influence = [F::zero(); ROOM];
+        }
+    }
+
+    /// Adds what the derivatives of the influence of cell `j` on cell `i` deflect.
+    #[inline(always)]
+    pub(super) fn add_slopes(&mut self, i: usize, j: usize, slopes: &[F], pressure: F) {
+        let Some(row) = self.rows.get_mut(i) else { return };
+        for (sums, slope) in row.influence.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
+            if let Some(sum) = sums.get_mut(j % 4) {
+                *sum += *slope * pressure;
+            }
+        }
     }
 
     /// How far the pressures deflect a cell.
@@ -192,6 +212,10 @@ fn product<F: Float>(x: &[F], y: &[F], fours: Range<usize>) -> F {
             *sum += *x * *y;
         }
     }
-    let [a, b, c, d] = sums;
-    (a + c) + (b + d)
+    total(&sums)
+}
+
+#[inline(always)]
+fn total<F: Float>([a, b, c, d]: &[F; 4]) -> F {
+    (*a + *c) + (*b + *d)
 }

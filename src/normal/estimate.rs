@@ -85,7 +85,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         let level = approach.times(OVERLAP);
         place_loads(curve, (approach, level), cells);
         lean(cells);
-        let (zero, places) = (WithSlope::zero(), &cells.list);
+        let (zero, places) = (WithSlope::zero(), cells.list.as_slice());
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<WithSlope<F, N>, EDGES> = Vec::new();
         let (mut edges, mut growth) = (Vec::new(), Vec::new());

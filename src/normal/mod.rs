@@ -26,7 +26,7 @@ mod extremes;
 mod influence;
 mod layout;
 pub(crate) mod moving;
-mod outline;
+pub(crate) mod outline;
 pub(crate) mod parabola;
 pub mod profile;
 mod profile_contact;
@@ -34,6 +34,7 @@ mod skew;
 pub(crate) mod smooth;
 
 use crate::contact::totals::StripCount;
+use crate::normal::cell::FEW;
 use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::equations::Equations;
 use crate::normal::outline::Outline;
@@ -45,6 +46,7 @@ use crate::number::{Arithmetic, Float, Number};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
 use core::f64::consts::PI;
+use heapless::Vec;
 
 /// Number of corrections of the lengths.
 const PASSES: usize = 2;
@@ -236,32 +238,31 @@ impl<F: Float> Indentation<F> {
     }
 }
 
-/// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
-/// need no memory for more.
-const FEW: usize = if CELLS < 28 { CELLS } else { 28 };
-
 /// Pressures and corrected lengths of the cells; the approach.
 fn solve_pressures<F: Float, const N: usize>(
     cells: &mut Cells<F, N>,
     power: WithSlope<F, N>,
     given: Given<WithSlope<F, N>>,
 ) -> WithSlope<F, N> {
-    if CELLS == FEW || cells.list.len() <= FEW {
-        press_and_correct::<F, N, FEW>(cells, power, given)
-    } else {
-        press_and_correct::<F, N, CELLS>(cells, power, given)
+    let are_few = CELLS == FEW || cells.list.len() <= FEW;
+    match (N == 1, are_few) {
+        (true, true) => press_and_correct::<F, N, 1, FEW>(cells, power, given),
+        (true, false) => press_and_correct::<F, N, 1, CELLS>(cells, power, given),
+        (false, true) => press_and_correct::<F, N, 0, FEW>(cells, power, given),
+        (false, false) => press_and_correct::<F, N, 0, CELLS>(cells, power, given),
     }
 }
 
-/// The same with room for so many cells. (Out of line, so that only here the equations take room on
+/// The same with room for so many cells and for derivatives of the influence in so many directions.
+/// (Out of line, so that only here the equations take room on
 /// the stack.)
 #[inline(never)]
-fn press_and_correct<F: Float, const N: usize, const ROOM: usize>(
+fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: usize>(
     cells: &mut Cells<F, N>,
     power: WithSlope<F, N>,
     given: Given<WithSlope<F, N>>,
 ) -> WithSlope<F, N> {
-    let mut equations = Equations::<F, N, ROOM>::new();
+    let mut equations = Equations::<F, STORED, ROOM>::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {
         cells.correct(power);
@@ -304,7 +305,8 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         contact: &ProfileContact<F>,
         count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
-        let mut cells = Cells::none();
+        let mut list = Vec::<_, CELLS>::new();
+        let mut cells = Cells { list: list.as_mut_view() };
         let mut found = Indentation::new(profile, contact, count, &mut cells)?;
         Ok((Self::of_cells(contact, &cells, &mut found)?, found))
     }

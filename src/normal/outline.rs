@@ -2,9 +2,9 @@
 //! and the power by which these are corrected.
 
 use crate::contact::totals::StripCount;
-use crate::normal::cell::Cells;
+use crate::normal::cell::{CELLS, Cells, FEW};
 use crate::normal::cells::Given;
-use crate::normal::density::Zones;
+use crate::normal::density::{ZONES, Zones};
 use crate::normal::estimate::{Estimate, OVERLAP};
 use crate::normal::layout::{layout, lean};
 use crate::normal::profile::{Profile, WithSlope, invert};
@@ -34,6 +34,12 @@ const fn number_of_cells(count: StripCount) -> usize {
         StripCount::ThirtyTwo => 36,
         StripCount::SixtyFour => 40,
     }
+}
+
+/// Whether patches of so many strips have no more than [`FEW`] cells: there is one more for each
+/// zone but the first.
+pub(crate) const fn are_few(count: StripCount) -> bool {
+    FEW == CELLS || number_of_cells(count) + ZONES <= FEW
 }
 
 /// What is known of the cells besides.

@@ -66,7 +66,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [WithSlope<F, N>; 2] 
     let per_load = cells.load().shift(F::TINY).inverse();
     // of an ellipse Σ N a² = (4/5) a² Σ N and Σ N²/w = (3/5) (Σ N)²/b
     let (mut length, mut crowded) = (WithSlope::zero(), WithSlope::zero());
-    for cell in &cells.list {
+    for cell in cells.list.iter() {
         let load = cell.load() * per_load;
         length += load * cell.half_length.squared();
         crowded += load.squared() / cell.width;
@@ -88,7 +88,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [WithSlope<F, N>; 2] 
     [square.sqrt() * crowded.times(1.0 / 0.6), products / squares]
 }
 
-impl<F: Float, const N: usize> Cells<F, N> {
+impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Skews the cells of the normal problem; returns the factor of the approach, one where it is
     /// given.
     #[inline(never)]
@@ -110,7 +110,7 @@ impl<F: Float, const N: usize> Cells<F, N> {
         };
         let shorter = exponential(load.times(2.0 / 3.0) - pressure);
         let pressure = exponential(load.times(1.0 / 3.0) + pressure);
-        for cell in &mut self.list {
+        for cell in self.list.iter_mut() {
             cell.half_length = cell.half_length * shorter;
             cell.pressure = cell.pressure * pressure;
         }

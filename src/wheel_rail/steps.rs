@@ -11,13 +11,15 @@ use super::touch::Gap;
 use super::view::{self, View};
 use super::{Position, WheelPair};
 use crate::contact::totals::StripCount;
-use crate::normal::cells::{Cell, Cells};
+use crate::normal::cells::{CELLS, Cell, Cells, FEW};
 use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
+use crate::normal::outline::are_few;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Float, Number, length};
 use crate::patch::StoredPatch;
 use crate::status::Error;
+use heapless::Vec;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
@@ -64,6 +66,22 @@ impl<F: Float> Steps<'_, F> {
         contact: &mut WheelContact<F>,
         take: &mut Take<'_, F>,
     ) -> Result<[F; DIRECTIONS], Error> {
+        if are_few(self.strips) {
+            self.contacts_in::<FEW>(gap, strips, contact, take)
+        } else {
+            self.contacts_in::<CELLS>(gap, strips, contact, take)
+        }
+    }
+
+    /// The same with room for so many cells.
+    #[inline(never)]
+    fn contacts_in<const ROOM: usize>(
+        &self,
+        gap: &Gap<F>,
+        strips: &mut StoredPatch<F>,
+        contact: &mut WheelContact<F>,
+        take: &mut Take<'_, F>,
+    ) -> Result<[F; DIRECTIONS], Error> {
         let Self { rail, pair, position, creepage, sides, strips: count } = *self;
         let view = View::new(gap, pair, position)?;
         let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
@@ -74,7 +92,8 @@ impl<F: Float> Steps<'_, F> {
             SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
         let mut groups = Groups::new();
         group_zones(&curve, &mut groups)?;
-        let mut cells = Cells::none();
+        let mut list = Vec::<_, ROOM>::new();
+        let mut cells = Cells { list: list.as_mut_view() };
         for first in (0..DIRECTIONS).step_by(TOGETHER) {
             let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
             let mut moves = moves;
@@ -119,7 +138,7 @@ impl<F: Float> Steps<'_, F> {
 /// Lessens the derivatives of cells that would change by much over the steps, so that strips keep
 /// their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`, `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
 fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: impl Iterator<Item = F> + Clone) {
-    for cell in &mut cells.list {
+    for cell in cells.list.iter_mut() {
         let Cell { y, width, half_length, centre_x, pressure, .. } = cell;
         for (k, step) in steps.clone().enumerate() {
             let rate = |own: &Directed<F>| own.derivative(k).abs();
