@@ -91,7 +91,7 @@ impl<F: Float, const N: usize> Grid<F, N> {
             let whole = F::widened(inside.whole() as f32);
             // (the whole part is rounded toward zero)
             let short = (inside - whole).times(outward) < F::zero();
-            inside.whole() + if short { 0 } else { outward as i32 }
+            inside.whole().saturating_add(if short { 0 } else { outward as i32 })
         };
         let numbers = [number(ends[0], -1.0), number(ends[1], 1.0)];
         Self { ends, middle, step, numbers }

@@ -118,6 +118,17 @@ fn approach_is_not_below_zero() {
     ]);
 }
 
+/// The steps of a curve's knots can be too many to be counted.
+#[test]
+fn knots_are_counted_without_overflow() {
+    entries::any_entry(&[
+        65, 10, 51, 13, 138, 49, 90, 107, 15, 15, 169, 245, 178, 138, 76, 198, 56, 152, 6, 195, 69,
+        249, 197, 134, 59, 212, 163, 241, 236, 84, 202, 224, 190, 249, 2, 94, 88, 24, 13, 8, 171,
+        231, 154, 245, 227, 245, 133, 243, 237, 222, 216, 144, 196, 131, 116, 135, 45, 30, 241,
+        128, 205, 187, 197, 140, 3,
+    ]);
+}
+
 /// In single precision shares of contacts may add up to more than one by rounding.
 #[test]
 fn shares_of_contacts_are_at_most_one() {
