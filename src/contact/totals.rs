@@ -44,15 +44,13 @@ impl StripCount {
     /// The strip count for a number; `None` if it is not one of these counts.
     #[must_use]
     pub const fn from_number(number: i32) -> Option<Self> {
-        // 4 = 2² is the first one.
-        const ALL: [StripCount; 5] = [
-            StripCount::Four,
-            StripCount::Eight,
-            StripCount::Sixteen,
-            StripCount::ThirtyTwo,
-            StripCount::SixtyFour,
-        ];
-        let place = (number.trailing_zeros() as usize).wrapping_sub(2);
-        if place < ALL.len() && ALL[place] as i32 == number { Some(ALL[place]) } else { None }
+        match number {
+            4 => Some(Self::Four),
+            8 => Some(Self::Eight),
+            16 => Some(Self::Sixteen),
+            32 => Some(Self::ThirtyTwo),
+            64 => Some(Self::SixtyFour),
+            _ => None,
+        }
     }
 }

@@ -57,59 +57,32 @@ enum PatchTractions<F: Float> {
 }
 
 impl<'a, F: Float> PatchField<'a, F> {
-    /// Prepare the field.
+    /// Prepare the field, under friction that is constant or falls with the slip.
     ///
     /// # Errors
-    /// Those of [`solve`](super::solver::solve_patch); [`Error::NotInModel`] for [`Model::Total`];
-    /// [`Error::Overflow`] also when the dissipation of a point may not fit the floating-point
-    /// type.
+    /// Those of [`solve_patch_with_law`](super::friction::solve_patch_with_law);
+    /// [`Error::NotInModel`] also for [`Model::Total`]; [`Error::Overflow`] also when the
+    /// dissipation of a point does not fit the floating-point type.
     pub fn new(
-        patch: &PatchView<'a, F>,
-        creepage: &Creepage<F>,
-        model: Model,
-    ) -> Result<Self, Error> {
-        let warning = Self::checked(patch, creepage, model)?.warning();
-        let units = LawUnits { traction: F::one(), slip: F::one() };
-        Ok(Self { view: *patch, creepage: *creepage, model, behind: None, units, warning })
-    }
-
-    /// Prepare the field under a law.
-    ///
-    /// # Errors
-    /// Those of [`PatchField::new`] and
-    /// [`solve_patch_with_law`](super::friction::solve_patch_with_law).
-    pub fn with_law(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
-        law: &SlipFriction<F>,
+        law: Option<&SlipFriction<F>>,
         model: Model,
     ) -> Result<Self, Error> {
-        Self::checked(patch, creepage, model)?;
-        let problem = FrictionProblem::new(patch, creepage, law, model)?;
+        Problem::with_strips(patch, creepage, model)?;
+        // The dissipation of a point is traction times slip, and the slip is of the size of the
+        // rigid slip.
+        let tractions = patch.strips().iter().map(|strip| strip.friction * strip.peak_pressure);
+        let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
+        Error::Overflow.unless((tractions.fold(F::zero(), F::max) * slip).is_finite_number())?;
+        let constant = SlipFriction::of_constant(F::one());
+        let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&constant), model)?;
         let (share, of_friction) = problem.agreement()?;
         let Scaled { patch: view, creepage, factor } = problem.scaled(share)?;
         let scaled = Problem::with_strips(&view, &creepage, model)?.warning();
         let units = LawUnits { traction: share, slip: F::one() / factor };
         let (behind, warning) = (problem.behind, problem.warning(scaled, of_friction));
         Ok(Self { view, creepage, model, behind, units, warning })
-    }
-
-    /// The problem, whose field fits the floating-point type.
-    fn checked<'b>(
-        patch: &'b PatchView<'b, F>,
-        creepage: &'b Creepage<F>,
-        model: Model,
-    ) -> Result<Problem<'b, F>, Error> {
-        let problem = Problem::with_strips(patch, creepage, model)?;
-        // The dissipation of a point is traction times slip, and the slip is of the size of the
-        // rigid slip.
-        let traction = patch
-            .strips()
-            .iter()
-            .fold(F::zero(), |most, strip| most.max(strip.friction * strip.peak_pressure));
-        let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
-        Error::Overflow.unless((traction * slip).is_finite_number())?;
-        Ok(problem)
     }
 
     /// The strip through `y` \[m\]; `None` outside the patch and in its gaps.

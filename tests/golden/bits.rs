@@ -306,7 +306,7 @@ impl<F: Bits> Case<'_, F> {
         hash.strips(status.map_or_else(Error::code, Warning::code), &strips);
         for s in view.strips().iter().step_by(3) {
             let x = s.centre_x - s.half_length / F::of(4.0);
-            let field = PatchField::new(&view, creepage, *model);
+            let field = PatchField::new(&view, creepage, None, *model);
             hash.point(field.map(|f| (f.at(x, s.y), f.warning)));
         }
     }
@@ -415,7 +415,7 @@ impl<F: Bits> Case<'_, F> {
                 patch_friction::differentiate_patch(&view, creepage, Some(&law), options.model);
             self.behind(of_patch, found);
             for s in view.strips().iter().step_by(5) {
-                let field = PatchField::with_law(&view, creepage, &law, options.model);
+                let field = PatchField::new(&view, creepage, Some(&law), options.model);
                 let x = s.centre_x - s.half_length / F::of(4.0);
                 of_patch.point(field.map(|f| (f.at(x, s.y), f.warning)));
             }

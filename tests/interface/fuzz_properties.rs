@@ -347,6 +347,6 @@ fn patches_at_the_ends_of_the_range() {
     let patch = Patch::<f32, 4>::from_strips(&[rough], 5e37, 0.01).unwrap();
     let (view, motion) =
         (patch.view().unwrap(), Creepage { longitudinal: 1e-3, lateral: 0.1, spin: 48.0 });
-    let field = PatchField::new(&view, &motion, Model::Strip1967Continuous);
+    let field = PatchField::new(&view, &motion, None, Model::Strip1967Continuous);
     assert!(field.is_err_and(|error| error == Error::Overflow));
 }

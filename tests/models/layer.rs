@@ -641,7 +641,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
         let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
         let view = patch.view().unwrap();
         let falls = law.ratio < 1.0 && law.decay * law.rolling_speed > 0.0;
-        let of_patch = PatchField::with_law(&view, &m, &law, o.model).unwrap();
+        let of_patch = PatchField::new(&view, &m, Some(&law), o.model).unwrap();
         let of_ellipse = LawField::new(&c, &m, Some(&law), &o).unwrap();
         let thin = SlipFriction { layer: 1e-9 * law.layer, slide_factor: 0.0, ..law };
         let nearly = LawField::new(&c, &m, Some(&thin), &o).unwrap();
@@ -688,7 +688,7 @@ fn fields_behind_a_layer_are_finite_for_any_slip() {
             let law = SlipFriction { layer, slope_factor: 0.5, ..SlipFriction::of_constant(0.3) };
             let m = Creepage { longitudinal: -8e-4 * slip, lateral: -slip, spin: 1e-3 };
             let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
-            let of_patch = PatchField::with_law(&view, &m, &law, model).unwrap();
+            let of_patch = PatchField::new(&view, &m, Some(&law), model).unwrap();
             for k in -18..19 {
                 let (x, y) = (3e-4 * (k / 2) as f32, 1e-3);
                 let is_even = k % 2 == 0;
@@ -738,7 +738,7 @@ fn patches_of_hardly_any_stiffness_are_finite() {
         let found =
             patch_friction::solve_patch_with_law(&view, &m, &law, Model::Strip).unwrap().solution;
         assert!(found.power.is_finite() && found.fx.abs() < 1e-9, "{found:?}");
-        let field = PatchField::with_law(&view, &m, &law, Model::Strip).unwrap();
+        let field = PatchField::new(&view, &m, Some(&law), Model::Strip).unwrap();
         for k in -10..11 {
             let point = field.at(2e-3, 1e-3 * f64::from(k));
             assert!(point.slip_x.is_finite() && point.dissipation.is_finite(), "{point:?}");

@@ -377,7 +377,7 @@ fn fields_integrate_to_the_forces() {
         let motion = motion(&mut random);
         let model = WITH_STRIPS[i % 3];
         let view = patch.view().unwrap();
-        let field = PatchField::new(&view, &motion, model).unwrap();
+        let field = PatchField::new(&view, &motion, None, model).unwrap();
         let n = 2000;
         let (mut load, mut fx, mut fy, mut mz) = (0.0, 0.0, 0.0, 0.0);
         for own in &patch.strips {
@@ -431,7 +431,7 @@ fn fields_of_elliptic_strips() {
     let patch = ellipse(&c, StripCount::Sixteen);
     for model in WITH_STRIPS {
         let view = patch.view().unwrap();
-        let field = PatchField::new(&view, &motion, model).unwrap();
+        let field = PatchField::new(&view, &motion, None, model).unwrap();
         let wanted = forces::Field::new(&c, &motion, &options(model, StripCount::Sixteen)).unwrap();
         for strip in &patch.strips {
             for k in -9..10 {
@@ -533,7 +533,7 @@ fn hard_inputs() {
             Ok((_, slopes)) => assert!(slopes.iter().all(|slope| slope.is_finite())),
             Err(error) => assert_eq!(error, Error::Overflow),
         }
-        if let Ok(field) = PatchField::new(&view, &motion, model) {
+        if let Ok(field) = PatchField::new(&view, &motion, None, model) {
             for strip in &patch.strips {
                 let point = field.at(strip.centre_x + 0.3 * strip.half_length, strip.y);
                 assert!(
@@ -593,7 +593,7 @@ fn patches_have_their_order_and_capacity() {
     // the field of a strip ends with its width
     let (patch, rest) = (of(&[good]).unwrap(), Creepage::default());
     let view_of_one = patch.view().unwrap();
-    let field = PatchField::new(&view_of_one, &rest, Model::Strip).unwrap();
+    let field = PatchField::new(&view_of_one, &rest, None, Model::Strip).unwrap();
     for (share, inside) in [(0.499, true), (0.501, false)] {
         for side in [1.0, -1.0] {
             let y = good.y + side * share * good.width;
@@ -606,7 +606,7 @@ fn patches_have_their_order_and_capacity() {
     for model in [Model::Total, Model::Linear] {
         let strips = solver::patch_strips(&view, &rest, model, &mut |_| ());
         assert_eq!(strips, Err(Error::NotInModel));
-        assert!(PatchField::new(&view, &rest, model).is_err());
+        assert!(PatchField::new(&view, &rest, None, model).is_err());
     }
     let far = Creepage { longitudinal: 1e308, ..rest };
     assert_eq!(solver::solve_patch(&view, &far, Model::Strip), Err(Error::Overflow));

@@ -146,7 +146,7 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
         })
         .unwrap();
         assert!((fx - s.fx).abs() < 1e-11 * unit && (fy - s.fy).abs() < 1e-11 * unit);
-        let field = PatchField::new(&slipping_view, &m, model).unwrap();
+        let field = PatchField::new(&slipping_view, &m, None, model).unwrap();
         for own in &patch.strips {
             let point = field.at(own.centre_x - 0.4 * own.half_length, own.y);
             let traction = point.traction_x.hypot(point.traction_y);

@@ -84,11 +84,11 @@ fn fields_of_lobes_are_those_of_each_alone() {
     both.scale = alone(&pair[0]).scale;
     let m = creepage(&pair[0], 0.3, -0.2, 0.0);
     let view = both.view().unwrap();
-    let field = PatchField::new(&view, &m, Model::Strip).unwrap();
+    let field = PatchField::new(&view, &m, None, Model::Strip).unwrap();
     for (c, centre) in pair.iter().zip(centres) {
         let own = alone(c);
         let own_view = own.view().unwrap();
-        let own = PatchField::new(&own_view, &m, Model::Strip).unwrap();
+        let own = PatchField::new(&own_view, &m, None, Model::Strip).unwrap();
         for [x, y] in [[0.0, 0.05], [-0.5, 0.4], [0.3, -0.6]] {
             let (x, y) = (x * c.a, y * c.b);
             let (one, other) = (field.at(x, y + centre), own.at(x, y));

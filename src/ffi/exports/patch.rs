@@ -214,10 +214,7 @@ pub unsafe extern "C" fn kstrip_patch_field(
     answer(|| {
         let (patch, creepage, options) = (given(patch)?, given(creepage)?, for_strips(options)?);
         let view = patch.view()?;
-        let field = match friction {
-            Some(law) => PatchField::with_law(&view, creepage, law, options.model),
-            None => PatchField::new(&view, creepage, options.model),
-        }?;
+        let field = PatchField::new(&view, creepage, friction, options.model)?;
         let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
         Ok(field.warning)
