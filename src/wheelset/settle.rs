@@ -31,8 +31,8 @@ const NEARLY: f64 = 0.01;
 const LEAST: f64 = 0.02;
 /// Share of the load that a wheel carries which is about to lift.
 const BARELY: f64 = 1e-6;
-/// Largest number of times that both heights are found for the loads of the wheels, and the change below
-/// which they stay \[m\].
+/// Largest number of times that both heights are found for the loads of the wheels, and the change
+/// below which they stay \[m\].
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
 
