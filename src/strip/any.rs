@@ -91,6 +91,19 @@ fn both_kinds<F: Real, const ROWS: usize>(
     eight: &StripColumns<F>,
     found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
+    let [.., inner] = eight;
+    let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
+    // (on a microcontroller this would take more flash)
+    if ROWS == SLOPES && !are_mixed && !cfg!(target_os = "none") {
+        return with_avx!(if 1 => <F: Real; ROWS>(
+            eight: &StripColumns<F>,
+            found: &mut ForcesAndSlopes<F, ROWS>
+        ) -> () {
+            of_one_kind::<F, F::Eight, ROWS>(eight, found)
+        } {
+            of_one_kind::<F, F::WideEight, ROWS>(eight, found)
+        });
+    }
     with_avx!(if 1 => <F: Real; ROWS>(
         eight: &StripColumns<F>,
         found: &mut ForcesAndSlopes<F, ROWS>
@@ -105,6 +118,33 @@ fn both_kinds<F: Real, const ROWS: usize>(
     } {
         of_kinds::<F, F::WideEight, ROWS>(eight, found)
     })
+}
+
+/// Forces and derivatives of strips that are each of one kind.
+#[inline(always)]
+fn of_one_kind<F: Real, P: Strips<F>, const ROWS: usize>(
+    eight: &StripColumns<F>,
+    (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
+) {
+    for first in (0..8).step_by(P::COUNT) {
+        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
+        let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
+        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+            let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
+            inner.choose(own, outer)
+        });
+        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+        let by_spin = SpinSlopes::new(&spin);
+        let (StripForces { fx, fy, mx, stick }, own) =
+            forces_and_slopes(&seen, &spin, &constants, &by_spin);
+        let numbers = [fx, fy, mx, stick].into_iter().chain(own.into_iter().flatten());
+        let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
+        for (column, own) in columns.zip(numbers) {
+            for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
+                *place = own.lane(k);
+            }
+        }
+    }
 }
 
 /// Computes as many strips at a time as `P` holds side by side.
