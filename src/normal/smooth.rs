@@ -91,7 +91,7 @@ impl<F: Float, const N: usize> Grid<F, N> {
             let whole = F::widened(inside.whole() as f32);
             // (the whole part is rounded toward zero)
             let short = (inside - whole).times(outward) < F::zero();
-            inside.whole().saturating_add(if short { 0 } else { outward as i32 })
+            inside.whole() + if short { 0 } else { outward as i32 }
         };
         let numbers = [number(ends[0], -1.0), number(ends[1], 1.0)];
         Self { ends, middle, step, numbers }
@@ -196,7 +196,8 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         self.length = length.squared().shift(floor * floor).sqrt();
         let mut step = self.length.times(1.0 / knots);
         let least = WithSlope::from_base(whole.times(1.0 / PIECES));
-        step = step.max(least);
+        // (a profile at the ends of the number range may be narrower than its steps can be)
+        step = step.max(least).max(WithSlope::tiny());
         let share = 1.0 / (KNOTS as f64 * ROOM);
         if whole.times(share) > step.value {
             let low = profile.low_length(level, from).times(share);
