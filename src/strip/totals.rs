@@ -186,7 +186,7 @@ impl<F: Real> EllipseStrips<F> {
         &self,
         strips: &CommonCreepage<P>,
     ) -> Rows<P, ROWS> {
-        // (Zeros that the compiler knows it would write by a call.)
+        // (The compiler would write zeros that it foresees by a call.)
         let [x, ..] = strips.law;
         #[allow(clippy::eq_op)]
         let nothing = [[x - x; 6]; ROWS];
