@@ -210,10 +210,10 @@ impl<F: Float> Scene<'_, F> {
             if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
         let Self { rail, pair, strips: count, law, .. } = *self;
         let steps = Steps { rail, pair, position, strips: count, creepage, sides };
-        let mut add_to = |direction: usize, step: F, contact: &WheelContact<F>, room: &mut _| {
+        let mut add_to = |direction: usize, weight: F, contact: &WheelContact<F>, room: &mut _| {
             let found =
                 wrench::sum_of_contacts::<_, false>(room, from_ref(contact), velocity, law, None);
-            let moved = found?.members().map(|own| if step > F::zero() { own } else { -own });
+            let moved = found?.members().map(|own| own * weight);
             if let Some(column) = columns.get_mut(direction) {
                 add(&mut column[..], moved);
             }

@@ -30,6 +30,8 @@ const SMALL_SLIP: f64 = 1.4;
 /// Largest change of a cell over a step, over its width or length: cells of a zone that has just
 /// begun change without a bound, and carry nothing.
 const LARGEST_CHANGE: f64 = 0.1;
+/// Least share of a step to both sides.
+const SHORTEST: f64 = 1.0 / 32.0;
 /// Least overlap that decides a step \[m\]: the points of a gap may touch less than its curve.
 const SHALLOWEST: f64 = 1e-9;
 
@@ -108,9 +110,16 @@ impl<F: Float> Steps<'_, F> {
                 curve.restrict(&group.whole);
                 let depth = curve.depth(&group.whole);
                 let mut pressed = view.press(&profile, &curve, depth, count, &mut cells)?;
-                bound_changes(&mut cells, steps.clone().map(|(_, step)| step));
-                for (direction, step) in steps.clone() {
-                    for step in [step, -step].into_iter().take(sides) {
+                let mut shares = [F::one(); TOGETHER];
+                if sides == 2 {
+                    shorten(&mut shares, &cells, steps.clone().map(|(_, step)| step));
+                }
+                let steps = steps.clone().zip(shares);
+                let shorter = steps.clone().map(|((_, step), share)| step * share);
+                bound_changes(&mut cells, shorter);
+                for ((direction, step), share) in steps {
+                    let step = step * share;
+                    for (step, weight) in [(step, share), (-step, -share)].into_iter().take(sides) {
                         // (what is more than zero does not vanish over a step)
                         let of = |own: Directed<F>| {
                             let moved = own.value + step * own.derivative(direction - first);
@@ -125,7 +134,7 @@ impl<F: Float> Steps<'_, F> {
                             let rate = rates.and_then(|rates| rates.get(number));
                             let rate = rate.copied().unwrap_or(F::zero());
                             contact.share = (group.share + step * rate).max(F::zero());
-                            take(direction, step, contact, strips)?;
+                            take(direction, F::one() / weight, contact, strips)?;
                         }
                     }
                 }
@@ -135,15 +144,41 @@ impl<F: Float> Steps<'_, F> {
     }
 }
 
+/// Changes of a cell over a step, in each direction, over its width or length:
+/// `h ρ`, `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
+fn changes<F: Float>(
+    cell: &Cell<F, TOGETHER>,
+    steps: impl Iterator<Item = F>,
+) -> impl Iterator<Item = F> {
+    let Cell { y, width, half_length, .. } = *cell;
+    steps.enumerate().map(move |(k, step)| {
+        let rate = |own: &Directed<F>| own.derivative(k).abs();
+        let of_width = rate(&y).max(rate(&width)) / width.value;
+        step * of_width.max(rate(&half_length) / half_length.value)
+    })
+}
+
+/// Shares of the steps over which all cells change by little, if they are not too short for
+/// differences.
+fn shorten<F: Float>(
+    shares: &mut [F; TOGETHER],
+    cells: &Cells<F, TOGETHER>,
+    steps: impl Iterator<Item = F> + Clone,
+) {
+    for cell in cells.list.iter() {
+        for (share, change) in shares.iter_mut().zip(changes(cell, steps.clone())) {
+            *share = share.min(F::of(LARGEST_CHANGE) / (change + F::TINY)).max(F::of(SHORTEST));
+        }
+    }
+}
+
 /// Lessens the derivatives of cells that would change by much over the steps, so that strips keep
-/// their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`, `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
+/// their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`.
 fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: impl Iterator<Item = F> + Clone) {
     for cell in cells.list.iter_mut() {
+        let known = *cell;
         let Cell { y, width, half_length, centre_x, pressure, .. } = cell;
-        for (k, step) in steps.clone().enumerate() {
-            let rate = |own: &Directed<F>| own.derivative(k).abs();
-            let of_width = rate(y).max(rate(width)) / width.value;
-            let change = step * of_width.max(rate(half_length) / half_length.value);
+        for (k, change) in changes(&known, steps.clone()).enumerate() {
             if change > F::of(LARGEST_CHANGE) {
                 let part = F::of(LARGEST_CHANGE) / change;
                 for own in [&mut *y, width, half_length, centre_x, pressure] {
