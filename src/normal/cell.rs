@@ -10,8 +10,8 @@ use heapless::VecView;
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 
 /// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
-/// need no memory for more.
-pub(crate) const FEW: usize = if CELLS < 28 { CELLS } else { 28 };
+/// need no memory for more. (In a browser one code for all counts takes less to load.)
+pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CELLS } else { 28 };
 
 /// A cell of the normal problem, or a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]

@@ -87,14 +87,17 @@ fn carried<T: Number, const ROWS: usize>(
     })
 }
 
+/// Whether code is small rather than fast: on a microcontroller and in a browser nodes of both
+/// kinds are computed where one kind would do.
+const IS_SMALL: bool = cfg!(any(target_os = "none", target_family = "wasm"));
+
 fn both_kinds<F: Real, const ROWS: usize>(
     eight: &StripColumns<F>,
     found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     let [.., inner] = eight;
     let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
-    // (on a microcontroller this would take more flash)
-    if ROWS == SLOPES && !are_mixed && !cfg!(target_os = "none") {
+    if ROWS == SLOPES && !are_mixed && !IS_SMALL {
         return with_avx!(if 1 => <F: Real; ROWS>(
             eight: &StripColumns<F>,
             found: &mut ForcesAndSlopes<F, ROWS>
@@ -159,8 +162,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
         let are_mixed = P::any_exceeds([inner * (P::one() - inner)], [P::zero()]);
-        // (on a microcontroller this would take more flash)
-        if ROWS == VALUES && !are_mixed && !cfg!(target_os = "none") {
+        if ROWS == VALUES && !are_mixed && !IS_SMALL {
             let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
