@@ -38,7 +38,8 @@ const SHALLOWEST: f64 = 1e-9;
 /// Weight of the change of depths in the step of a share's difference.
 const DEEPER: f64 = 0.01;
 
-/// What is done with a contact after a step of a member of the position.
+/// What is done with a contact after a step of a member of the position: its number, and the weight
+/// of the contact's wrench in the difference over the step.
 pub(super) type Take<'a, F> =
     dyn FnMut(usize, F, &WheelContact<F>, &mut StoredPatch<F>) -> Result<(), Error> + 'a;
 
@@ -56,8 +57,9 @@ pub(super) struct Steps<'a, F> {
 
 impl<F: Float> Steps<'_, F> {
     /// The contacts of a gap after a step of each member of the position, to first order. Hands
-    /// every contact to `take`, with the number of the member and the step; `strips` and `contact`
-    /// are memory, and `take` may use that of `strips`. Returns the steps.
+    /// every contact to `take`, with the number of the member and the weight `± h/h'` of its wrench
+    /// where its own step `h'` is shorter than `h`; `strips` and `contact` are memory, and `take`
+    /// may use that of `strips`. Returns the steps `h`.
     ///
     /// # Errors
     /// Those of [`from_gap`](super::contacts::from_gap).
