@@ -90,12 +90,14 @@ impl<F: Float> Steps<'_, F> {
         let view = View::new(gap, pair, position)?;
         let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
         let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
-        let steps = core::array::from_fn(|direction| view.step_in(&moves, direction, creepage));
-        let Some(profile) = view.profile()? else { return Ok(steps) };
+        let Some(profile) = view.profile()? else { return Ok([F::one(); DIRECTIONS]) };
         let mut curve =
             SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
         let mut groups = Groups::new();
         group_zones(&curve, &mut groups)?;
+        let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
+        let step = |direction| view.step_in(&moves, direction, deepest, creepage);
+        let steps = core::array::from_fn(step);
         let mut list = Vec::<_, ROOM>::new();
         let mut cells = Cells { list: list.as_mut_view() };
         for first in (0..DIRECTIONS).step_by(TOGETHER) {
@@ -246,12 +248,12 @@ impl<'a, F: Float> View<'a, F> {
     /// ```text
     /// h = √ε/(D/5 + C/1.4),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
     /// ```
-    fn step_in(&self, moves: &PointMoves<F>, direction: usize, creepage: F) -> F {
+    fn step_in(&self, moves: &PointMoves<F>, direction: usize, deepest: F, creepage: F) -> F {
         let [_, distance, ..] = self.lists;
         let lowest = lowest(distance);
         let least = distance.get(lowest).copied().unwrap_or(F::zero());
         let [along, lifted, x, _, z, ..] = moves.in_direction(lowest, direction);
-        let depth = (-least).max(F::of(SHALLOWEST));
+        let depth = (-least).max(deepest).max(F::of(SHALLOWEST));
         let radius = self.pair.wheel_radius;
         let Position { yaw, roll, vertical, .. } = moves.direction(direction);
         let turns = yaw.abs() + roll.abs() + (z.abs() + vertical.abs()) / radius;

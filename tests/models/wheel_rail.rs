@@ -721,11 +721,13 @@ fn derivatives_by_depth_are_those_of_double_precision() {
     let strips = StripCount::Sixteen;
     let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips, law };
     let mut memory = zeroed::<Workspace<f32>>();
-    let young = [(5.97079, 177_443.0), (5.7775, 113_678.0), (5.47298, 44_318.0)];
     let (still, rolls) = ((0.0, 0.0), (20.0, -43.4));
+    let young = [(5.97079, 177_443.0), (5.7775, 113_678.0), (5.47298, 44_318.0)];
+    let lightest = [15, 95, 208].map(f64::from);
+    let lightest = lightest.map(|k| (9.0 + 0.011 * k, 25.0 + 0.1 * k, rolls));
     let light = [30.0, 1e3, 1e5].map(|load| (0.0, load, still));
     let young = young.map(|(lateral, load)| (lateral, load, rolls));
-    for (lateral, load, (forward, pitch)) in light.into_iter().chain(young) {
+    for (lateral, load, (forward, pitch)) in light.into_iter().chain(young).chain(lightest) {
         let position = stand.at(lateral * 1e-3, load);
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
         let mut slopes = WrenchByPosition::default();
