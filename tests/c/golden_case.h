@@ -323,16 +323,49 @@ static void NAME(behind)(uint64_t *hash, kstrip_status status, const NAME(kstrip
     }
 }
 
-/* A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls. The law is fitted to its own forces.
- * The patch counts in its hash. */
-static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NAME(kstrip_contact) *c,
-                        const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
+/* Friction and slope factor of a law from the forces that it gives. */
+static void NAME(fit)(uint64_t *hash, const NAME(kstrip_contact) *c, const NAME(kstrip_creepage) *k,
+                      NAME(kstrip_friction) law, const kstrip_options *o)
+{
+    NAME(kstrip_measured_force) points[6];
+    NAME(kstrip_friction_fit) fit;
+    NAME(kstrip_result) r;
+    NAME(kstrip_outputs) all;
+    kstrip_status status;
+    uint32_t count = 0, n;
+    memset(&all, 0, sizeof all);
+    all.result = &r;
+    for (n = 0; n < 6; n++) {
+        const REAL share = NAME(part)((n + 1) * (n + 1), 16);
+        const NAME(kstrip_creepage) motion = {k->longitudinal * share, k->lateral * share, k->spin};
+        NAME(kstrip_measured_force) *point = &points[count];
+        if (NAME(kstrip_evaluate)(c, &motion, &law, o, &all) < 0)
+            continue;
+        memset(point, 0, sizeof *point);
+        point->longitudinal = motion.longitudinal, point->lateral = motion.lateral, point->spin = motion.spin;
+        point->fx = r.fx, point->fy = r.fy, point->weight = 1;
+        point->measured = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
+        count++;
+    }
+    law.friction = 0, law.slope_factor = 0;
+    status = NAME(kstrip_fit_friction)(c, points, count, &law, KSTRIP_FIT_FRICTION | KSTRIP_FIT_SLOPE_FACTOR, o, &fit, NULL);
+    *hash = mixed(*hash, (uint32_t)status);
+    if (status >= 0) {
+        const REAL numbers[5] = {fit.law.friction, fit.law.slope_factor, fit.standard_errors.friction,
+                                 fit.standard_errors.slope_factor, fit.residual};
+        NAME(add_all)(hash, numbers, 5);
+        *hash = mixed(*hash, fit.steps);
+    }
+}
+
+/* A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls.
+ * The patch counts in its hash, and a fit of the law to its own forces in that of fits. */
+static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint64_t *of_fit, uint32_t i,
+                        const NAME(kstrip_contact) *c, const NAME(kstrip_patch) *patch, const NAME(kstrip_creepage) *k,
                         const kstrip_options *o)
 {
     const uint32_t kind = i / 5 % 3;
     NAME(kstrip_strip) strips[KSTRIP_STRIPS_CAPACITY];
-    NAME(kstrip_measured_force) points[6];
-    NAME(kstrip_friction_fit) fit;
     NAME(kstrip_friction) law;
     NAME(kstrip_result) r;
     NAME(kstrip_derivatives) d;
@@ -365,10 +398,9 @@ static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NA
     }
     status = NAME(kstrip_field)(c, k, &law, o, &x, 1, &y, 1, &p, 1);
     NAME(add_point)(hash, status, &p);
-    memset(&all, 0, sizeof all);
-    all.result = &r, all.friction = &found;
     if (patch) {
-        all.derivatives = &d, all.law_derivatives = &by_law;
+        memset(&all, 0, sizeof all);
+        all.result = &r, all.friction = &found, all.derivatives = &d, all.law_derivatives = &by_law;
         status = NAME(kstrip_patch_evaluate)(patch, k, &law, o, &all);
         NAME(behind)(of_patch, status, &r, &d, &by_law, found);
         for (n = 0; n < patch->count; n += 5) {
@@ -377,29 +409,9 @@ static void NAME(layer)(uint64_t *hash, uint64_t *of_patch, uint32_t i, const NA
             status = NAME(kstrip_patch_field)(patch, k, &law, o, &x, 1, &s.y, 1, &p, 1);
             NAME(add_point)(of_patch, status, &p);
         }
-        all.derivatives = NULL, all.law_derivatives = NULL;
     }
-    for (n = 0, count = 0; n < 6; n++) {
-        const REAL share = NAME(part)((n + 1) * (n + 1), 16);
-        const NAME(kstrip_creepage) motion = {k->longitudinal * share, k->lateral * share, k->spin};
-        NAME(kstrip_measured_force) *point = &points[count];
-        if (NAME(kstrip_evaluate)(c, &motion, &law, o, &all) < 0)
-            continue;
-        memset(point, 0, sizeof *point);
-        point->longitudinal = motion.longitudinal, point->lateral = motion.lateral, point->spin = motion.spin;
-        point->fx = r.fx, point->fy = r.fy, point->weight = 1;
-        point->measured = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
-        count++;
-    }
-    law.friction = 0, law.slope_factor = 0;
-    status = NAME(kstrip_fit_friction)(c, points, count, &law, KSTRIP_FIT_FRICTION | KSTRIP_FIT_SLOPE_FACTOR, o, &fit, NULL);
-    *hash = mixed(*hash, (uint32_t)status);
-    if (status >= 0) {
-        const REAL numbers[5] = {fit.law.friction, fit.law.slope_factor, fit.standard_errors.friction,
-                                 fit.standard_errors.slope_factor, fit.residual};
-        NAME(add_all)(hash, numbers, 5);
-        *hash = mixed(*hash, fit.steps);
-    }
+    if (has_fit(i))
+        NAME(fit)(of_fit, c, k, law, o);
 }
 
 static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side)
@@ -425,13 +437,13 @@ static void NAME(hash_case)(uint64_t hashes[KINDS], uint32_t i, int side_by_side
             NAME(field)(&hashes[SOLVES], &c, &k, &o, side_by_side);
         if (has_rest(i)) {
             NAME(kstrip_patch) p;
-            const int built = NAME(build)(&hashes[PATCHES], i, &c, &o, &p) >= 0;
+            const int built = HAS_PATCHES && NAME(build)(&hashes[PATCHES], i, &c, &o, &p) >= 0;
             if (built)
                 NAME(patch)(&hashes[PATCHES], &p, &k, &o);
             NAME(falling)(&hashes[FRICTION], &hashes[PATCHES], i, &c, built ? &p : NULL, &k, &o);
             NAME(special)(&hashes[SPECIAL], &c, &k, &o);
             NAME(rig)(&hashes[RIG], i, &c, &k, &o, &r);
-            NAME(layer)(&hashes[LAYER], &hashes[PATCHES], i, &c, built ? &p : NULL, &k, &o);
+            NAME(layer)(&hashes[LAYER], &hashes[PATCHES], &hashes[FIT], i, &c, built ? &p : NULL, &k, &o);
         }
     }
 }

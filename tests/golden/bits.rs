@@ -4,8 +4,8 @@
 //! simulated Cortex-M4 and Cortex-M7.
 //!
 //! Every precision has a hash for each of: solves, derivatives and points of the field; patches;
-//! falling friction; special motions and strips; the inverse functions of test rigs; layers, and
-//! laws that are fitted.
+//! falling friction; special motions and strips; the inverse functions of test rigs; layers; laws
+//! that are fitted.
 //!
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate
 //! change. With `KSTRIP_GOLDEN_FEW` only the first thousand are computed, in this build alone.
@@ -36,7 +36,7 @@ use toolchain::{root, run_c_with};
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;
 /// What has a hash of its own.
-const KINDS: [&str; 6] = ["", " patches", " friction", " special", " rig", " layer"];
+const KINDS: [&str; 7] = ["", " patches", " friction", " special", " rig", " layer", " fit"];
 
 pub trait Bits: Float + Default {
     fn bits(self) -> u64;
@@ -126,6 +126,12 @@ fn has_rest(i: u32) -> bool {
     has_field(i) && (i < 1000 || i % 2000 < 5)
 }
 
+/// Whether a law is fitted to its forces, a hundred solutions: of the first thousand of every fifth
+/// five that have the rest.
+fn has_fit(i: u32) -> bool {
+    has_rest(i) && i % 500 < 5
+}
+
 /// An integer for case `i`, as in `tests/c/golden.c`.
 pub fn draw(i: u32, salt: u32, below: u32) -> u32 {
     let x = i.wrapping_mul(2_654_435_761).wrapping_add(salt.wrapping_mul(2_246_822_519));
@@ -188,7 +194,7 @@ impl<F: Bits> Case<'_, F> {
 
     fn hash(&self, hashes: &mut [Hash; KINDS.len()]) {
         let Self { i, contact, creepage, options } = *self;
-        let [solves, patches, friction, special, rig, layer] = hashes;
+        let [solves, patches, friction, special, rig, layer, fit] = hashes;
         let r = forces::forces_of_contact(contact, creepage, options);
         solves.result(r);
         if has_field(i) {
@@ -202,7 +208,7 @@ impl<F: Bits> Case<'_, F> {
             self.falling([friction, &mut *patches], patch.as_ref());
             self.special(special);
             self.rig(rig, &r.expect("ordinary inputs"));
-            self.layer([layer, patches], patch.as_ref());
+            self.layer([layer, patches, fit], patch.as_ref());
         }
     }
 
@@ -381,8 +387,8 @@ impl<F: Bits> Case<'_, F> {
     }
 
     /// A layer, what sliding leaves of it, or both; of a third of the contacts the friction falls.
-    /// The law is fitted to its own forces. The patch counts in its hash.
-    fn layer(&self, [hash, of_patch]: [&mut Hash; 2], patch: Option<&Full<F>>) {
+    /// The patch counts in its hash, and a fit of the law to its own forces in that of fits.
+    fn layer(&self, [hash, of_patch, of_fit]: [&mut Hash; 3], patch: Option<&Full<F>>) {
         let Self { i, contact, creepage, options } = *self;
         let (kind, zero) = (i / 5 % 3, F::zero());
         let mut law = SlipFriction {
@@ -420,14 +426,21 @@ impl<F: Bits> Case<'_, F> {
                 of_patch.point(field.map(|f| (f.at(x, s.y), f.warning)));
             }
         }
+        if has_fit(i) {
+            self.fit(of_fit, &law);
+        }
+    }
+
+    /// Friction and slope factor of a law from the forces that it gives.
+    fn fit(&self, hash: &mut Hash, law: &SlipFriction<F>) {
+        let Self { contact, creepage, options, .. } = *self;
         let points: Vec<_> = (1..=6)
             .filter_map(|n| {
                 let share = part::<F>(n * n, 16.0);
                 let Creepage { longitudinal, lateral, spin } = *creepage;
                 let motion =
                     Creepage { longitudinal: longitudinal * share, lateral: lateral * share, spin };
-                let found =
-                    friction::solve_with_law(contact, &motion, &law, options).ok()?.solution;
+                let found = friction::solve_with_law(contact, &motion, law, options).ok()?.solution;
                 Some(MeasuredForce {
                     longitudinal: motion.longitudinal,
                     lateral: motion.lateral,
@@ -440,7 +453,7 @@ impl<F: Bits> Case<'_, F> {
                 })
             })
             .collect();
-        let start = SlipFriction { friction: zero, slope_factor: zero, ..law };
+        let start = SlipFriction { friction: F::zero(), slope_factor: F::zero(), ..*law };
         let fitted = [true, false, false, true, false, false];
         let found = fit_friction(contact, &points, &start, fitted, options);
         let found = found.map(|found| (found, found.warning)).map_err(|(_, error)| error);
