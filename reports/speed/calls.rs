@@ -11,8 +11,9 @@ use crate::slopes::{SlopeCase, linear_steps, slope_cases};
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
-use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs, PreparedNumbers};
+use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
 use kstrip::forces::derivatives::Derivatives;
+use kstrip::forces::prepared::Prepared;
 use kstrip::forces::{Model, Solution};
 use kstrip::friction::SlipFriction;
 use kstrip::linear::LinearCoefficients;
@@ -149,9 +150,9 @@ type Evaluate<F> = unsafe extern "C" fn(
     Settings,
     Option<&Outputs<F>>,
 ) -> i32;
-type Prepare<F> = extern "C" fn(Option<&Contact<F>>, Settings, Place<PreparedNumbers<F>>) -> i32;
+type Prepare<F> = extern "C" fn(Option<&Contact<F>>, Settings, Place<Prepared<F>>) -> i32;
 type SolvePrepared<F> =
-    extern "C" fn(Option<&PreparedNumbers<F>>, Option<&Creepage<F>>, Place<Solution<F>>) -> i32;
+    extern "C" fn(Option<&Prepared<F>>, Option<&Creepage<F>>, Place<Solution<F>>) -> i32;
 type Batch<F> = unsafe extern "C" fn(
     Option<&BatchInputs<F>>,
     u32,

@@ -19,7 +19,6 @@
 
 mod arrays;
 mod constants;
-mod prepared;
 mod support;
 
 #[cfg(feature = "batch")]

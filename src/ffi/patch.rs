@@ -1,6 +1,5 @@
 //! Patches: contacts of any shape, given by their strips.
 
-use super::solve::OutputPlaces;
 use super::support::*;
 use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::{Profile, ProfileContact};
@@ -157,43 +156,42 @@ fn of_cells<F: Float>(
     Ok(())
 }
 
-pub(super) fn evaluate_patch<F: Float>(
+/// # Safety
+/// Every pointer of the outputs is NULL, or valid and aligned for one write, that of the strips for
+/// `capacity`; no two overlap.
+pub(super) unsafe fn evaluate_patch<F: Float>(
     patch: &StoredPatch<F>,
     (creepage, own): (&Creepage<F>, &[Creepage<F>]),
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
-    places: OutputPlaces<F>,
+    outputs: &Outputs<F>,
 ) -> Result<Warning, Error> {
     let model = for_strips(options)?.model;
     let mut view = patch.view()?;
     if !own.is_empty() {
         view = view.with_own_creepages(own)?;
     }
-    let (solution, share, slopes) = if places.differentiates() {
-        let found = patch::friction::differentiate_patch(&view, creepage, law, model)?;
-        (found.solution, found.friction, Some((found.derivatives, found.law)))
+    let differentiated;
+    let (solution, share, slopes) = if outputs.differentiates() {
+        differentiated = patch::friction::differentiate_patch(&view, creepage, law, model)?;
+        let found = &differentiated;
+        (found.solution, found.friction, Some((&found.derivatives, &found.law)))
     } else if let Some(law) = law {
         let found = patch::friction::solve_patch_with_law(&view, creepage, law, model)?;
         (found.solution, found.share, None)
     } else {
         (solver::solve_patch(&view, creepage, model)?, F::one(), None)
     };
-    if let Some((strips, count)) = places.strips {
-        let count = given(count)?;
-        Error::Capacity.unless(view.strips().len() <= strips.len())?;
-        let mut written = strips.iter_mut();
-        patch::friction::patch_strips_with_law(&view, creepage, law, share, model, &mut |strip| {
-            if let Some(place) = written.next() {
-                place.write(strip);
-            }
-        })?;
-        count.write(view.strips().len() as u32);
-    }
-    put(places.result, solution);
-    put(places.friction, share);
-    if let Some((derivatives, law)) = slopes {
-        put(places.derivatives, derivatives);
-        put(places.law_derivatives, law);
+    // SAFETY: the caller's promise.
+    unsafe {
+        if !outputs.strips.is_null() {
+            outputs.write_strips(view.strips().len(), |mut visit| {
+                patch::friction::patch_strips_with_law(
+                    &view, creepage, law, share, model, &mut visit,
+                )
+            })?;
+        }
+        outputs.write(&solution, share, slopes);
     }
     Ok(solution.warning)
 }

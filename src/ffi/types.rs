@@ -9,7 +9,6 @@ pub use crate::patch::StoredPatch;
 use crate::wheel_rail::WheelPair;
 use crate::wheel_rail::surface::Surface;
 use crate::wheelset::track::RailMotion;
-use core::mem::MaybeUninit;
 
 /// The model and the number of strips. All zero is the default.
 #[repr(C)]
@@ -176,21 +175,6 @@ pub struct BatchOutputs<F> {
     pub law_derivatives: *mut LawDerivatives<F>,
     /// Stride [bytes].
     pub law_derivatives_stride: isize,
-}
-
-/// A contact for which kstrip_prepare() has computed everything that does not depend on the motion.
-/// The structure holds plain numbers and no pointers, so it may be copied and kept, for this
-/// version of the library only. It begins with a mark: a structure that was never prepared, or was
-/// prepared in the other precision, gives KSTRIP_ERROR_NOT_PREPARED.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct PreparedNumbers<F: Copy> {
-    /// For use by the library only.
-    pub numbers: MaybeUninit<[F; 96]>,
-    /// The model; 0: nothing prepared.
-    pub model: i32,
-    /// The strip count.
-    pub strips: i32,
 }
 
 /// Load, friction bound and area of a patch.

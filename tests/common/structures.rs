@@ -20,7 +20,7 @@ macro_rules! structures {
         pub type kstrip_outputs = kstrip::ffi::types::Outputs<$float>;
         pub type kstrip_batch_inputs = kstrip::ffi::types::BatchInputs<$float>;
         pub type kstrip_batch_outputs = kstrip::ffi::types::BatchOutputs<$float>;
-        pub type kstrip_prepared = kstrip::ffi::types::PreparedNumbers<$float>;
+        pub type kstrip_prepared = kstrip::forces::prepared::Prepared<$float>;
         pub type kstrip_motion = kstrip::motion::Motion<$float>;
         pub type kstrip_motion_derivatives = kstrip::motion::MotionDerivatives<$float>;
         pub type kstrip_motion_outputs = kstrip::ffi::types::MotionOutputs<$float>;

@@ -3,7 +3,6 @@
 use super::F;
 use crate::ffi::inside::write_grid;
 use crate::ffi::patch::*;
-use crate::ffi::solve::OutputPlaces;
 use crate::ffi::support::*;
 use crate::patch::KSTRIP_PATCH_CAPACITY;
 
@@ -148,9 +147,8 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
-    answer(|| {
-        evaluate_patch(given(patch)?, (given(creepage)?, &[]), friction, options, given(places)?)
+    answer(|| unsafe {
+        evaluate_patch(given(patch)?, (given(creepage)?, &[]), friction, options, given(outputs)?)
     })
 }
 
@@ -173,9 +171,8 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
     // SAFETY: NULL or as many elements as the patch has strips, says the header.
     let own = if own.is_null() { Ok(&[][..]) } else { unsafe { input(own, strips) } };
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
-    answer(|| {
-        evaluate_patch(given(patch)?, (given(creepage)?, own?), friction, options, given(places)?)
+    answer(|| unsafe {
+        evaluate_patch(given(patch)?, (given(creepage)?, own?), friction, options, given(outputs)?)
     })
 }
 

@@ -65,8 +65,9 @@ pub unsafe extern "C" fn kstrip_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    let places = outputs.map(|outputs| unsafe { OutputPlaces::new(outputs) });
-    answer(|| evaluate(given(contact)?, given(creepage)?, friction, options, given(places)?))
+    answer(|| unsafe {
+        evaluate(given(contact)?, given(creepage)?, friction, options, given(outputs)?)
+    })
 }
 
 /// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
@@ -83,12 +84,9 @@ pub unsafe extern "C" fn kstrip_evaluate(
 pub extern "C" fn kstrip_prepare(
     contact: Option<&Contact<F>>,
     options: Option<&kstrip_options>,
-    prepared: Option<&mut MaybeUninit<PreparedNumbers<F>>>,
+    prepared: Option<&mut MaybeUninit<Prepared<F>>>,
 ) -> kstrip_status {
-    fill(prepared, || {
-        let prepared = Prepared::new(given(contact)?, &for_forces(options)?)?;
-        Ok(PreparedNumbers::new(&prepared))
-    })
+    fill(prepared, || Prepared::new(given(contact)?, &for_forces(options)?))
 }
 
 /// kstrip_solve() for a prepared contact: the same result, bit for bit.
@@ -99,7 +97,7 @@ pub extern "C" fn kstrip_prepare(
 /// @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
 #[unsafe(export_name = symbol!("kstrip_solve_prepared"))]
 pub extern "C" fn kstrip_solve_prepared(
-    prepared: Option<&PreparedNumbers<F>>,
+    prepared: Option<&Prepared<F>>,
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
