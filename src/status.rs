@@ -3,21 +3,27 @@
 use core::ffi::CStr;
 use core::fmt;
 
-/// `Variant = number: "text"`: an enumeration of statuses. The text says what the status means and
-/// what the caller must change; it is also the documentation of the variant.
+/// Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched.
+#[allow(non_camel_case_types)]
+pub type kstrip_status = i32;
+
+/// The statuses of a kind, each with its names in C and in Rust, its number, which is never reused,
+/// what it means, and what the caller must change.
 macro_rules! statuses {
-    ($(#[$about:meta])* $name:ident {
-        $($(#[$variant_is:meta])* $variant:ident = $number:literal: $text:literal,)*
-    }) => {
+    ($(#[$about:meta])* $name:ident { $($(#[$is:meta])*
+        $constant:ident $variant:ident = $number:literal: $means:literal $(, $remedy:literal)?;
+    )* }) => {
         $(#[$about])*
-        ///
-        /// The number of each variant is its status in the C interface; numbers are never reused.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         #[repr(i32)]
         #[non_exhaustive]
         pub enum $name {
-            $(#[doc = $text] $(#[$variant_is])* $variant = $number,)*
+            $(#[doc = $means] $(#[$is])* $variant = $number,)*
         }
+        $(
+            #[doc = $means]
+            pub const $constant: kstrip_status = $number;
+        )*
 
         impl $name {
             /// The status of the C interface.
@@ -36,7 +42,9 @@ macro_rules! statuses {
 
             const fn advice(code: i32) -> Option<&'static CStr> {
                 match code {
-                    $($number => Some(const { c_string(concat!($text, "\0")) }),)*
+                    $($number => {
+                        Some(const { c_string(concat!($means, $(": ", $remedy,)? "\0")) })
+                    })*
                     _ => None,
                 }
             }
@@ -47,93 +55,116 @@ macro_rules! statuses {
 statuses! {
     /// An input without a result, with a negative status. Nothing has been computed or written.
     Error {
-        NullPointer = -1: "a required pointer is NULL: pass the address of a structure or array",
-        NotFinite = -2: "an input is infinite or NaN: pass finite numbers",
-        SemiAxis = -3:
-            "a semi-axis of the contact ellipse is not positive: a and b must be > 0 (metres)",
-        NormalForce = -4:
+        KSTRIP_ERROR_NULL NullPointer = -1:
+            "a required pointer is NULL", "pass the address of a structure or array";
+        KSTRIP_ERROR_NOT_FINITE NotFinite = -2:
+            "an input is infinite or NaN", "pass finite numbers";
+        KSTRIP_ERROR_SEMI_AXIS SemiAxis = -3:
+            "a semi-axis is not positive", "a and b must be > 0 (metres)";
+        KSTRIP_ERROR_NORMAL_FORCE NormalForce = -4:
             "the normal force of a profile or of a contact of a wheel, or the share of such a \
-             contact, is negative, or the requested support of a wheel is not positive (newtons): \
-             compression is positive",
-        Modulus = -5: "a modulus of elasticity is not positive: it must be > 0 (pascals)",
-        PoissonRatio = -6: "Poisson's ratio is outside [0, 0.5]",
-        Friction = -7: "the coefficient of friction is negative: it must be >= 0",
-        Model = -8: "unknown model: use one of the KSTRIP_MODEL constants",
-        StripCount = -9: "unknown strip count: use 4, 8, 16, 32 or 64",
-        Curvature = -10:
-            "no elliptic contact: radii must not be zero, and the summed curvatures must be \
-             positive in both directions",
-        RollingSpeed = -11:
-            "the rolling speed is not positive: let x point in the rolling direction",
-        /// Or a count exceeds the capacity of a structure.
-        Capacity = -12:
-            "the array is too small: pass the capacity that the documentation of the function \
-             states",
-        NotInModel = -13:
-            "the model cannot compute this output: take STRIP for strips and fields, and any model \
-             but LINEAR for patches",
-        Overflow = -14:
-            "the result is beyond the range of the floating-point type: check the units (N, m, Pa)",
-        FrictionRatio = -15: "the ratio of falling friction is outside [0, 1]",
-        FrictionDecay = -16: "the decay of falling friction is negative: it must be >= 0 (s/m)",
-        NegativeSpeed = -17: "the rolling speed is negative: it must be >= 0 (m/s)",
-        SlopeFactor = -18: "the factor of the initial slope must be >= 0 and <= 1 (0 stands for 1)",
-        Unexplained = -19:
-            "no friction explains the measured force: it points against the slip, or there is no \
-             load; check signs (forces act on the lower body) and creepage",
-        ForceBeyondFriction = -20: "the requested force exceeds mu N: no creepage gives it",
-        Measured = -21:
-            "unknown measurement: use KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added",
-        NotPrepared = -22:
-            "a contact or a profile is not prepared: fill the structure with kstrip_prepare() or \
-             kstrip_prepare_profile() of the same precision",
-        FloorSpeed = -23:
-            "the floor of the speed is negative: it must be > 0 (m/s), or 0 for the default",
-        Stride = -24:
-            "a stride of the batch is smaller than an output, or no multiple of its alignment: \
-             pass the distance in bytes between two elements",
-        SlideFactor = -25:
-            "the factor of the creep curve in sliding must be >= 0 and <= 1 (0 stands for 1)",
-        Layer = -26:
-            "the layer between the bodies is negative: thickness divided by shear modulus must be \
-             >= 0 (m/Pa)",
-        FewPoints = -27:
-            "fewer measured forces than parameters to fit: pass more points, or fit fewer \
-             parameters",
-        FitParameters = -28:
-            "nothing to fit, or an unknown parameter: use the KSTRIP_FIT constants, added",
-        Weight = -29:
-            "the weight of a measured point is negative: it must be >= 0, 0 for a point that does \
-             not count",
-        StripSize = -40:
-            "a strip of the patch has a width or a half length that is not positive (metres)",
-        Pressure = -41: "the peak pressure of a strip is negative: it must be >= 0 (pascals)",
-        StripOrder = -42: "strips of the patch overlap, or are not in ascending order of y",
-        PatchSize = -43:
-            "more strips than a patch has room for, or more contacts than a wheel may have: use \
-             fewer and wider strips, or a smoother profile",
-        Profile = -44:
-            "a profile has too few points, two that coincide, or y that does not ascend; or the \
-             lengths of a gap or the places of friction do not ascend",
-        ProfileEnd = -45:
-            "a profile ends where the bodies would touch, or the wheel is beside the rail: pass \
-             more of the profile, or its rounded edge where the body ends",
-        RollingRadius = -46:
-            "a rolling radius or the radius of a wheel is not positive: it must be > 0 (metres)",
-        SmoothingLength = -47:
-            "the smoothing length is negative: it must be >= 0 (metres), 0 for the default",
-        Scatter = -48:
-            "the points of a profile scatter or turn back so far that no line follows them: pass \
-             them in their order along the profile",
-        NormalDamping = -49: "the normal damping is negative: it must be >= 0 (s/m)",
-        Gauge = -60:
-            "the track has neither a gauge nor places of its rails, or the wheelset no distance of \
-             its wheels: they must be > 0 (metres)",
-        WheelLifted = -61:
-            "no position of the wheelset balances the loads while both wheels touch: a wheel lifts",
-        Conicity = -62:
-            "no wave of this amplitude: it must be > 0 (metres), within the shifts, and the radii \
-             must bring the wheelset back to the middle",
+             contact, is negative, or the requested support of a wheel is not positive",
+            "compression is positive (newtons)";
+        KSTRIP_ERROR_MODULUS Modulus = -5:
+            "a modulus of elasticity is not positive", "it must be > 0 (pascals)";
+        KSTRIP_ERROR_POISSON_RATIO PoissonRatio = -6:
+            "Poisson's ratio is outside [0, 0.5]";
+        KSTRIP_ERROR_FRICTION Friction = -7:
+            "the coefficient of friction is negative", "it must be >= 0";
+        KSTRIP_ERROR_MODEL Model = -8:
+            "the model is not one of the KSTRIP_MODEL constants";
+        KSTRIP_ERROR_STRIP_COUNT StripCount = -9:
+            "the strip count is not 4, 8, 16, 32 or 64";
+        KSTRIP_ERROR_CURVATURE Curvature = -10:
+            "a radius is zero or NaN, or the summed curvature in a plane is not positive, so \
+             that the bodies do not touch in an ellipse";
+        KSTRIP_ERROR_ROLLING_SPEED RollingSpeed = -11:
+            "the rolling speed is not positive", "let x point in the rolling direction";
+        KSTRIP_ERROR_CAPACITY Capacity = -12:
+            "the caller's array is too small, or a count exceeds the capacity of a structure",
+            "pass the capacity that the documentation of the function states";
+        KSTRIP_ERROR_NOT_IN_MODEL NotInModel = -13:
+            "the model cannot compute a requested output: it has no strips, no field or no \
+             patches, or its force does not depend on friction",
+            "take STRIP for strips and fields, and any model but LINEAR for patches";
+        KSTRIP_ERROR_OVERFLOW Overflow = -14:
+            "a result is beyond the range of the floating-point type",
+            "check the units (N, m, Pa)";
+        KSTRIP_ERROR_FRICTION_RATIO FrictionRatio = -15:
+            "the ratio of falling friction is outside [0, 1]";
+        KSTRIP_ERROR_FRICTION_DECAY FrictionDecay = -16:
+            "the decay of falling friction is negative", "it must be >= 0 (s/m)";
+        KSTRIP_ERROR_NEGATIVE_SPEED NegativeSpeed = -17:
+            "the rolling speed of falling friction is negative", "it must be >= 0 (m/s)";
+        KSTRIP_ERROR_SLOPE_FACTOR SlopeFactor = -18:
+            "the factor of the initial slope is outside [0, 1]", "0 stands for 1";
+        KSTRIP_ERROR_UNEXPLAINED Unexplained = -19:
+            "no friction explains the measured force",
+            "check signs (forces act on the lower body) and creepage";
+        KSTRIP_ERROR_FORCE_BEYOND_FRICTION ForceBeyondFriction = -20:
+            "the requested force exceeds mu N", "no creepage gives it";
+        KSTRIP_ERROR_MEASURED Measured = -21:
+            "the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum";
+        KSTRIP_ERROR_NOT_PREPARED NotPrepared = -22:
+            "a structure was not filled by kstrip_prepare() of the same precision, or a profile \
+             not by kstrip_prepare_profile()",
+            "fill it first";
+        KSTRIP_ERROR_FLOOR_SPEED FloorSpeed = -23:
+            "the floor of the speed is negative", "it must be > 0 (m/s), or 0 for the default";
+        KSTRIP_ERROR_STRIDE Stride = -24:
+            "the stride of an output of a batch is smaller than the output, or a stride is no \
+             multiple of the alignment",
+            "pass the distance in bytes between two elements";
+        KSTRIP_ERROR_SLIDE_FACTOR SlideFactor = -25:
+            "the slide factor is outside [0, 1]", "0 stands for 1";
+        KSTRIP_ERROR_LAYER Layer = -26:
+            "the layer between the bodies is negative",
+            "thickness divided by shear modulus must be >= 0 (m/Pa)";
+        KSTRIP_ERROR_FEW_POINTS FewPoints = -27:
+            "there are fewer measured forces than parameters to fit",
+            "pass more points, or fit fewer parameters";
+        KSTRIP_ERROR_FIT_PARAMETERS FitParameters = -28:
+            "nothing is to be fitted, or not one of the KSTRIP_FIT constants",
+            "add the constants of those that are fitted";
+        KSTRIP_ERROR_WEIGHT Weight = -29:
+            "the weight of a measured point is negative",
+            "it must be >= 0, 0 for a point that does not count";
+        KSTRIP_ERROR_STRIP_SIZE StripSize = -40:
+            "a strip of a patch has a width or half length that is not positive",
+            "they must be > 0 (metres)";
+        KSTRIP_ERROR_PRESSURE Pressure = -41:
+            "the peak pressure of a strip is negative", "it must be >= 0 (pascals)";
+        KSTRIP_ERROR_STRIP_ORDER StripOrder = -42:
+            "strips of a patch overlap, or do not ascend in y";
+        KSTRIP_ERROR_PATCH_SIZE PatchSize = -43:
+            "there are more strips than a patch can hold, or more contacts than a wheel may have",
+            "use fewer and wider strips, or a smoother profile";
+        KSTRIP_ERROR_PROFILE Profile = -44:
+            "a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer \
+             than 4), two of its points coincide, or numbers that must ascend do not: its y, \
+             the lengths of a gap, or the places of friction";
+        KSTRIP_ERROR_PROFILE_END ProfileEnd = -45:
+            "a profile ends where the bodies would touch, or the wheel is beside the rail",
+            "pass more of the profile, or its rounded edge where the body ends";
+        KSTRIP_ERROR_ROLLING_RADIUS RollingRadius = -46:
+            "a rolling radius or the radius of a wheel is not positive",
+            "it must be > 0 (metres)";
+        KSTRIP_ERROR_SMOOTHING_LENGTH SmoothingLength = -47:
+            "a smoothing length is negative", "it must be >= 0 (metres), 0 for the default";
+        KSTRIP_ERROR_SCATTER Scatter = -48:
+            "no line follows the points of a profile, because they scatter or turn back too far",
+            "pass them in their order along the profile";
+        KSTRIP_ERROR_NORMAL_DAMPING NormalDamping = -49:
+            "the damping of the pressure is negative", "it must be >= 0 (s/m)";
+        KSTRIP_ERROR_GAUGE Gauge = -60:
+            "a gauge, a place of a rail or a distance of wheels is missing or negative",
+            "they must be > 0 (metres)";
+        KSTRIP_ERROR_WHEEL_LIFTED WheelLifted = -61:
+            "no position of the wheelset balances the loads while both wheels touch",
+            "a wheel lifts";
+        KSTRIP_ERROR_CONICITY Conicity = -62:
+            "no wave has this amplitude: it is not positive or beyond the shifts, or the radii \
+             do not bring the wheelset back";
     }
 }
 
@@ -169,76 +200,89 @@ statuses! {
     #[derive(Default)]
     Warning {
         #[default]
-        None = 0: "ok",
-        SpinBeyondTheory = 1:
-            "spin parameter |psi| >= 1: beyond the strip theory of 1967, result is its bounded \
-             continuation; use STRIP or TOTAL",
-        OutsideRange = 2:
-            "an input is outside the range in which the model was checked; result is finite and \
-             bounded by mu N",
-        BeyondFriction = 3: "the linear force exceeds mu N; use a model with saturation",
-        SeveralFrictions = 4:
-            "more than one coefficient of friction fits: falling friction gives the largest \
-             (reached from adhesion), an estimate the smallest",
-        NotConverged = 5: "a bounded iteration ended before its result was accurate to rounding",
-        FrictionAtLeast = 6:
-            "the contact sticks, so that its force does not determine the friction: result is a \
-             lower bound; measure at larger creepage",
-        CreepageAtLeast = 7:
-            "the requested force is that of full sliding: the result is the creepage that reaches \
-             it, any larger one gives it as well",
-        Pressure = 8:
-            "implausible pressure: the peak pressure exceeds a tenth of the shear modulus; check \
-             the units of modulus (Pa), load (N) and semi-axes (m)",
-        Creepage = 9:
-            "implausible creepage: above 10; check that it is a ratio, not per cent, and that the \
-             contact rolls (at low speed use slip velocities)",
-        SemiAxis = 10: "implausible semi-axis: above 1 m; check its unit (m, not mm)",
-        Spin = 11:
-            "implausible spin: more than rolling bodies of this size have; check its unit (rad/m, \
-             not degrees)",
-        Friction = 12:
-            "implausible coefficient of friction: above 5; check that it is not a percentage",
-        Radius = 13:
-            "implausible radii: a wheel's above 5 m, or flatter than that in both directions; \
-             check their unit (m, not mm)",
-        AxisRatio = 14:
-            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made; \
-             result is finite, bounded by mu N and has the right limits",
-        Mismatch = 15:
-            "the mismatch of the materials exceeds 0.25, where the model was not checked; result \
-             is finite and bounded by mu N",
-        MismatchNeglected = 16:
-            "the theory of 1967 neglects the mismatch of the materials; use another model, or set \
-             it to 0",
-        Conformal = 17:
-            "too conformal: a semi-axis exceeds 0.3 of the smaller radius in its direction, so \
-             that the bodies are no half-spaces; result is that of half-spaces",
-        AngleRange = 19:
-            "the normal turns by more than 30 degrees over a contact of the wheel: one plane of \
-             contact is not enough",
-        Undetermined = 20:
-            "the points do not determine each fitted parameter: some have large standard errors; \
-             fit fewer, or measure at other creepages",
-        ProfileEnd = 18:
-            "a zone of contact ends with the profile, as if the bodies ended there: unless they \
-             do, pass more of the profile",
-        Orientation = 21:
-            "implausible profile: it stands upside down or the wrong way round; z must point down, \
-             and the flange of a wheel and the gauge side of a rail lie at small y",
-        ProfileSize = 22: "implausible profile: longer than 1 m; check its unit (m, not mm)",
-        Modulus = 23:
-            "implausible modulus: the shear modulus is below 0.1 MPa; check its unit (Pa, not MPa \
-             or GPa)",
-        Unset = 24:
-            "friction and Poisson's ratio are both 0: set them, or one of them if this is meant",
-        Support = 25:
+        KSTRIP_OK None = 0: "ok";
+        KSTRIP_WARNING_SPIN SpinBeyondTheory = 1:
+            "the spin parameter |psi| is 1 or more, beyond the theory of 1967, and the result \
+             is its continuation by this library: finite, continuous and bounded by mu N",
+            "use STRIP or TOTAL";
+        KSTRIP_WARNING_RANGE OutsideRange = 2:
+            "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT, and the \
+             result is bounded by mu N";
+        KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3:
+            "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
+        KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4:
+            "more than one coefficient of friction fits: under falling friction the result has \
+             the largest, which a contact has whose slip grows from rest, and an estimate is \
+             the smallest";
+        KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5:
+            "an iteration ended before its result was accurate to rounding";
+        KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6:
+            "the contact sticks, so that the measured force gives only a lower bound of friction",
+            "measure at larger creepage";
+        KSTRIP_WARNING_CREEPAGE_AT_LEAST CreepageAtLeast = 7:
+            "the requested force is that of full sliding, which every larger creepage gives as \
+             well";
+        KSTRIP_WARNING_PRESSURE Pressure = 8:
+            "implausible pressure: its peak exceeds a tenth of the shear modulus",
+            "check the units of modulus (Pa), load (N) and semi-axes (m)";
+        KSTRIP_WARNING_CREEPAGE Creepage = 9:
+            "implausible creepage: it exceeds 10",
+            "check that it is a ratio, not per cent, and that the contact rolls (at low speed \
+             use slip velocities)";
+        KSTRIP_WARNING_SEMI_AXIS SemiAxis = 10:
+            "implausible semi-axis: it exceeds 1 m", "check its unit (m, not mm)";
+        KSTRIP_WARNING_SPIN_UNIT Spin = 11:
+            "implausible spin: larger than rolling bodies of this curvature can have",
+            "check its unit (rad/m, not degrees)";
+        KSTRIP_WARNING_FRICTION Friction = 12:
+            "implausible coefficient of friction: it exceeds 5",
+            "check that it is not a percentage";
+        KSTRIP_WARNING_RADIUS Radius = 13:
+            "implausible radii: larger than 5 m in both directions",
+            "check their unit (m, not mm)";
+        KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14:
+            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, \
+             and the result has the right limits";
+        KSTRIP_WARNING_MISMATCH Mismatch = 15:
+            "the mismatch of the materials exceeds 0.25, where the model was not compared with \
+             its reference, and the result is bounded by mu N";
+        KSTRIP_WARNING_MISMATCH_NEGLECTED MismatchNeglected = 16:
+            "the theory of 1967 neglects the mismatch of the materials",
+            "use another model, or set it to 0";
+        KSTRIP_WARNING_CONFORMAL Conformal = 17:
+            "a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies \
+             are not half-spaces, and the result is that of half-spaces";
+        KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19:
+            "the normal turns by more than 30 degrees over a contact of a wheel, so that one \
+             plane of contact is not enough: forces may be off by some tenths of mu N";
+        KSTRIP_WARNING_PROFILE_END ProfileEnd = 18:
+            "a zone of contact ends with the profile, as if the bodies ended there",
+            "unless they do, pass more of the profile";
+        KSTRIP_WARNING_UNDETERMINED Undetermined = 20:
+            "the measured points do not determine each parameter of a law",
+            "fit fewer, or measure at other creepages";
+        KSTRIP_WARNING_ORIENTATION Orientation = 21:
+            "implausible profile: it stands upside down or the wrong way round, or a contact of \
+             a wheel is above 30 degrees",
+            "check z, which points down, and y: the flange of a wheel and the gauge side of a \
+             rail lie at small y";
+        KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22:
+            "implausible profile: it is longer than 1 m", "check its unit (m, not mm)";
+        KSTRIP_WARNING_MODULUS Modulus = 23:
+            "implausible modulus: the shear modulus is below 0.1 MPa",
+            "check its unit (Pa, not MPa or GPa)";
+        KSTRIP_WARNING_UNSET Unset = 24:
+            "friction and Poisson's ratio of a wheel and a rail are both 0",
+            "set them, or one of them if this is meant";
+        KSTRIP_WARNING_SUPPORT Support = 25:
             "no ordinary contact supports the wheel: the support falls with depth on the way to \
-             this height (friction pulls the wheel down), or the peak pressure exceeds a twentieth \
-             of the shear modulus; check velocity, friction and load",
-        ProfileCoarse = 26:
-            "the points of a profile are too far apart for a contact, which is less than four of \
-             their distances wide: pass more points",
+             this height, because friction pulls the wheel down, or the peak pressure exceeds a \
+             twentieth of the shear modulus",
+            "check velocity, friction and load";
+        KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26:
+            "a contact of a wheel is less than four distances of the points of a profile wide, \
+             so that the pressure depends on the shape between the points",
+            "pass more points";
     }
 }
 

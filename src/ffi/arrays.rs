@@ -1,7 +1,6 @@
 //! C arrays as slices.
 
-use super::constants::kstrip_status;
-use crate::status::{Error, Warning};
+use crate::status::{Error, Warning, kstrip_status};
 use core::mem::MaybeUninit;
 
 /// An input array; may be NULL when it is empty.

@@ -36,8 +36,9 @@ pub mod wheel_rail;
 mod wheelset;
 
 pub use self::constants::*;
+pub use crate::status::*;
 
-use crate::status::{advice, c_string};
+use crate::status::c_string;
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
 use support::fill;

@@ -8,7 +8,7 @@ pub(super) use super::constants::{
     KSTRIP_FIT_DECAY, KSTRIP_FIT_FRICTION, KSTRIP_FIT_LAYER, KSTRIP_FIT_RATIO,
     KSTRIP_FIT_SLIDE_FACTOR, KSTRIP_FIT_SLOPE_FACTOR,
 };
-pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, kstrip_status};
+pub(super) use super::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY};
 pub(super) use super::types::*;
 pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
 pub(super) use crate::contact::hertz::{HertzContact, Radii};
@@ -33,7 +33,7 @@ pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
 pub(super) use crate::rig::fit::{Fitted, FrictionFit, MeasuredForce};
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
-pub(super) use crate::status::{Error, Warning};
+pub(super) use crate::status::{Error, Warning, kstrip_status};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
 pub(super) use crate::wheel_rail::scene::Workspace;
 pub(super) use crate::wheel_rail::surface::Surface;

@@ -235,6 +235,29 @@ fn plain(text: &str) -> String {
     plain
 }
 
+/// The constants of the statuses as cbindgen reads them, from the tables of `src/status.rs`.
+pub fn statuses(tables: &str) -> String {
+    let mut text = String::new();
+    for entry in tables.split("\n        KSTRIP_").skip(1) {
+        let (names, texts) = entry.split_once(':').expect("a colon");
+        let mut names = names.split_whitespace();
+        let (name, number) = names.next().zip(names.next_back()).expect("names and a number");
+        let means = texts.split('"').nth(1).expect("a text").replace("\\\n", "");
+        let kind = name.split('_').next().expect("a kind");
+        let kind = kind[..1].to_owned() + &kind[1..].to_lowercase();
+        let mut line = "///".to_owned();
+        for word in format!("{kind}: {means}.").split_whitespace() {
+            if line.len() + word.len() >= 100 {
+                text += &format!("{line}\n");
+                line.truncate(3);
+            }
+            line += &format!(" {word}");
+        }
+        text += &format!("{line}\npub const KSTRIP_{name}: kstrip_status = {number};\n");
+    }
+    text
+}
+
 /// The declarations of `src/ffi/exports` as cbindgen reads them: each function under its symbol,
 /// with the numbers of one precision. The comments stand in double precision only.
 pub fn declarations(exports: &str, suffix: &str, number: &str) -> String {

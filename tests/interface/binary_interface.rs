@@ -7,8 +7,8 @@ use crate::header;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// What cbindgen writes: it reads the crate, and instead of the exported functions, whose symbols
-/// it does not expand, their declarations in both precisions.
+/// What cbindgen writes: it reads the crate, and instead of the exported functions and the
+/// statuses, whose macros it does not expand, their declarations.
 fn generated() -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let config = cbindgen::Config::from_root_or_default(root);
@@ -17,8 +17,10 @@ fn generated() -> String {
     for entry in std::fs::read_dir(folder).expect("the sources") {
         exports += &std::fs::read_to_string(entry.expect("an entry").path()).expect("a source");
     }
-    let both =
-        groups::declarations(&exports, "", "f64") + &groups::declarations(&exports, "_f32", "f32");
+    let table = std::fs::read_to_string(root.join("src/status.rs")).expect("a source");
+    let both = groups::statuses(&table)
+        + &groups::declarations(&exports, "", "f64")
+        + &groups::declarations(&exports, "_f32", "f32");
     // Tests run side by side: each writes a file of its own.
     let scratch = format!("declarations_{:?}.rs", std::thread::current().id());
     let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(scratch);
