@@ -84,7 +84,7 @@ statuses! {
             "the caller's array is too small, or a count exceeds the capacity of a structure",
             "pass the capacity that the documentation of the function states";
         KSTRIP_ERROR_NOT_IN_MODEL NotInModel = -13:
-            "the model cannot compute a requested output: it has no strips, no field or no \
+            "the model cannot compute a requested output, because it has no strips, no field or no \
              patches, or its force does not depend on friction",
             "take STRIP for strips and fields, and any model but LINEAR for patches";
         KSTRIP_ERROR_OVERFLOW Overflow = -14:
@@ -223,22 +223,22 @@ statuses! {
             "the requested force is that of full sliding, which every larger creepage gives as \
              well";
         KSTRIP_WARNING_PRESSURE Pressure = 8:
-            "implausible pressure: its peak exceeds a tenth of the shear modulus",
+            "implausible pressure, above a tenth of the shear modulus",
             "check the units of modulus (Pa), load (N) and semi-axes (m)";
         KSTRIP_WARNING_CREEPAGE Creepage = 9:
-            "implausible creepage: it exceeds 10",
+            "implausible creepage, above 10",
             "check that it is a ratio, not per cent, and that the contact rolls (at low speed \
              use slip velocities)";
         KSTRIP_WARNING_SEMI_AXIS SemiAxis = 10:
-            "implausible semi-axis: it exceeds 1 m", "check its unit (m, not mm)";
+            "implausible semi-axis, above 1 m", "check its unit (m, not mm)";
         KSTRIP_WARNING_SPIN_UNIT Spin = 11:
-            "implausible spin: larger than rolling bodies of this curvature can have",
+            "implausible spin, larger than rolling bodies of this curvature can have",
             "check its unit (rad/m, not degrees)";
         KSTRIP_WARNING_FRICTION Friction = 12:
-            "implausible coefficient of friction: it exceeds 5",
+            "implausible coefficient of friction, above 5",
             "check that it is not a percentage";
         KSTRIP_WARNING_RADIUS Radius = 13:
-            "implausible radii: larger than 5 m in both directions",
+            "implausible radii, larger than 5 m in both directions",
             "check their unit (m, not mm)";
         KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14:
             "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, \
@@ -262,14 +262,14 @@ statuses! {
             "the measured points do not determine each parameter of a law",
             "fit fewer, or measure at other creepages";
         KSTRIP_WARNING_ORIENTATION Orientation = 21:
-            "implausible profile: it stands upside down or the wrong way round, or a contact of \
-             a wheel is above 30 degrees",
+            "implausible profile, upside down or the wrong way round, or a contact of a wheel \
+             above 30 degrees",
             "check z, which points down, and y: the flange of a wheel and the gauge side of a \
              rail lie at small y";
         KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22:
-            "implausible profile: it is longer than 1 m", "check its unit (m, not mm)";
+            "implausible profile, longer than 1 m", "check its unit (m, not mm)";
         KSTRIP_WARNING_MODULUS Modulus = 23:
-            "implausible modulus: the shear modulus is below 0.1 MPa",
+            "implausible shear modulus, below 0.1 MPa",
             "check its unit (Pa, not MPa or GPa)";
         KSTRIP_WARNING_UNSET Unset = 24:
             "friction and Poisson's ratio of a wheel and a rail are both 0",
