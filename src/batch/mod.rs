@@ -11,8 +11,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
 use crate::forces::options::{Options, Solution};
-use crate::friction::derivatives;
-use crate::friction::{self, FrictionSolution};
+use crate::friction::{FrictionSolution, InMotion};
 #[cfg(target_arch = "x86_64")]
 use crate::number::avx::HAS_WIDE_CODE;
 use crate::number::{Float, Strips};
@@ -93,20 +92,14 @@ pub(crate) fn solve_under_friction<F: Float>(
     get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
 ) -> Found<Warning> {
-    check_each(count, &get, |(contact, creepage, law)| match law {
-        Some(law) => friction::check_with_law(contact, creepage, law, options),
-        None => forces::check(contact, creepage, options),
+    check_each(count, &get, |(contact, creepage, law)| {
+        InMotion { creepage, law: law.as_ref(), options }.check(contact)
     })?;
     let mut worst = Warning::None;
     try_each(0..count, |i| {
         let (contact, creepage, law) = get(i);
-        let found = match law {
-            Some(law) => friction::solve_with_law_checked(&contact, &creepage, &law, options)?,
-            None => FrictionSolution {
-                solution: forces::forces_of_contact(&contact, &creepage, options)?,
-                friction: contact.friction,
-            },
-        };
+        let motion = InMotion { creepage: &creepage, law: law.as_ref(), options };
+        let found = motion.solve(&contact)?;
         if found.solution.warning != Warning::None {
             worst = worst.worse(found.solution.warning);
         }
@@ -146,7 +139,7 @@ pub(crate) fn differentiate_batch<F: Float>(
     mut put: impl FnMut(usize, &Gathered<F>),
 ) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| {
-        derivatives::check_differentiable(contact, creepage, law.as_ref(), options)
+        InMotion { creepage, law: law.as_ref(), options }.check_differentiable(contact)
     })?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE

@@ -5,10 +5,8 @@ use crate::contact::creepage::Creepage;
 use crate::forces;
 use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Options, Solution};
-use crate::friction::SlipFriction;
-use crate::friction::derivatives::{
-    self, Differentiated, LawDerivatives, differentiate_with_law_checked,
-};
+use crate::friction::derivatives::{self, Differentiated, LawDerivatives};
+use crate::friction::{InMotion, SlipFriction};
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
@@ -91,7 +89,8 @@ pub(crate) fn differentiate_each<F: Float>(
                 solution.warning
             }
             Some(law) => {
-                let found = differentiate_with_law_checked(&contact, creepage, Some(&law), options);
+                let motion = InMotion { creepage, law: Some(&law), options };
+                let found = motion.differentiate(&contact);
                 let found = found.as_ref().map_err(|error| *error)?;
                 let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
                 let (friction, law) = (*friction, Some(law));

@@ -21,20 +21,16 @@ const STEEP: f64 = 0.75;
 
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
-    law: &'a SlipFriction<F>,
+    pub law: &'a SlipFriction<F>,
     /// Upper bound of the slip of all points, divided by the rolling speed.
-    rigid_slip: F,
+    pub rigid_slip: F,
     /// The friction bound at `μ = 1`.
-    load: F,
+    pub load: F,
     /// `g`: the friction that the slip at friction `μ` leaves.
-    next: G,
+    pub next: G,
 }
 
-impl<'a, F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'a, F, G> {
-    pub(crate) fn new(law: &'a SlipFriction<F>, rigid_slip: F, load: F, next: G) -> Self {
-        Self { law, rigid_slip, load, next }
-    }
-
+impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
     /// The largest `μ` that agrees with the slip that it causes.
     pub(crate) fn largest_solution(&self) -> Result<(F, Warning), Error> {
         let Self { law, rigid_slip: rigid, load, next } = self;

@@ -2,11 +2,10 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces;
 use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{LayerSlopes, ThroughLayer};
-use crate::friction::{self, SlipFriction};
+use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, few_are_finite};
 use crate::status::{Error, Warning};
 
@@ -200,99 +199,102 @@ pub fn differentiate_with_law<F: Float>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<Differentiated<F>, Error> {
-    if let Some(law) = law {
-        friction::check_with_law(contact, creepage, law, options)?;
+    let motion = InMotion { creepage, law, options };
+    if law.is_some() {
+        motion.check(contact)?;
     }
-    differentiate_with_law_checked(contact, creepage, law, options)
+    motion.differentiate(contact)
 }
 
-/// [`differentiate_with_law`] for a law that [`friction::check_with_law`] has accepted with the
-/// contact and the creepage.
-///
-/// # Errors
-/// Those of [`differentiate_with_law`].
-pub(crate) fn differentiate_with_law_checked<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-) -> Result<Differentiated<F>, Error> {
-    // (a library without laws has accepted none)
-    let law = law.filter(|_| SlipFriction::<F>::HAS_LAW);
-    let under;
-    let (contact, warning) = match law {
-        Some(law) => {
-            under = friction::contact_with_law_checked(contact, creepage, law, options)?;
-            (&under.0, under.1)
+impl<F: Float> InMotion<'_, F> {
+    /// [`differentiate_with_law`] of a contact, which was checked if there is a law.
+    pub fn differentiate(&self, contact: &Contact<F>) -> Result<Differentiated<F>, Error> {
+        // (a library without laws has accepted none)
+        let law = self.law.filter(|_| SlipFriction::<F>::HAS_LAW);
+        let under;
+        let (contact, warning) = match law {
+            None => (contact, Warning::None),
+            Some(_) => {
+                under = self.with_friction(contact)?;
+                (&under.0, under.1)
+            }
+        };
+        Self { law, ..*self }.at_friction(contact, warning)
+    }
+
+    /// The same for a contact with the friction of the law, and the warning of that friction. (Out
+    /// of line where the stack is short: the search for it needs no room for these results.)
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+    fn at_friction(&self, contact: &Contact<F>, of: Warning) -> Result<Differentiated<F>, Error> {
+        if let Some(through) = self.behind_layer() {
+            return self.at_layer(&through, contact, of);
         }
-        None => (contact, Warning::None),
-    };
-    at_friction(contact, creepage, law, options, warning)
-}
-
-/// The same for a contact with the friction of the law, and the warning of that friction. (Out of
-/// line where the stack is short: the search for it needs no room for these results.)
-#[cfg_attr(target_arch = "x86_64", inline(always))]
-#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-fn at_friction<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-    warning: Warning,
-) -> Result<Differentiated<F>, Error> {
-    if let Some(law) = law.filter(|law| law.has_interface()) {
-        return at_interface(contact, creepage, law, options, warning);
+        // (by reference)
+        let solved = solve_with_slopes(contact, self.creepage, self.options);
+        let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
+        self.through_law(contact, (solution, slopes, None), of)
     }
-    // (by reference)
-    let solved = solve_with_slopes(contact, creepage, options);
-    let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
-    let falls = options.model != Model::Linear;
-    through_law(contact, creepage, law, falls, (solution, slopes, None), warning)
-}
 
-/// The same of a law with a layer or a slide factor.
-#[inline(never)]
-fn at_interface<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: &SlipFriction<F>,
-    options: &Options,
-    warning: Warning,
-) -> Result<Differentiated<F>, Error> {
-    let solved = ThroughLayer { law, creepage, options }.differentiate(contact);
-    let (solution, slopes, of_layer) = solved.as_ref().map_err(|error| *error)?;
-    let falls = options.model != Model::Linear;
-    through_law(contact, creepage, Some(law), falls, (solution, slopes, Some(of_layer)), warning)
-}
+    /// The same of a law with a layer or a slide factor.
+    #[inline(never)]
+    fn at_layer(
+        &self,
+        through: &ThroughLayer<F>,
+        contact: &Contact<F>,
+        of: Warning,
+    ) -> Result<Differentiated<F>, Error> {
+        let solved = through.differentiate(contact);
+        let (solution, slopes, of_layer) = solved.as_ref().map_err(|error| *error)?;
+        self.through_law(contact, (solution, slopes, Some(of_layer)), of)
+    }
 
-/// All derivatives from those at constant friction; whether friction falls where the law does.
-#[cfg_attr(target_arch = "x86_64", inline(always))]
-#[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-fn through_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    falls: bool,
-    (solution, slopes, of_layer): (&Solution<F>, &Slopes<F>, Option<&LayerSlopes<F>>),
-    warning: Warning,
-) -> Result<Differentiated<F>, Error> {
-    let solution = Solution { warning: solution.warning.worse(warning), ..*solution };
-    let friction = contact.friction;
-    let lost = contact.is_lost();
-    let Some(law) = law.filter(|_| !lost) else {
-        let Slopes { derivatives, by_mismatch, .. } = *slopes;
-        let law = without_law(&derivatives, by_mismatch, creepage);
-        Error::Overflow.unless(few_are_finite(&law.slope_factor))?;
-        return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
-    };
-    let (motion, load) = (*creepage, contact.normal_force);
-    let (power, besides) = (solution.power, BesidesSlopes::nothing());
-    let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
-    let (derivatives, law, by_mismatch) = at.through(law, falls && law.falls(), of_layer);
-    let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
-    Error::Overflow.unless(fit)?;
-    Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
+    /// All derivatives from those at constant friction.
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
+    fn through_law(
+        &self,
+        contact: &Contact<F>,
+        (solution, slopes, of_layer): (&Solution<F>, &Slopes<F>, Option<&LayerSlopes<F>>),
+        of_friction: Warning,
+    ) -> Result<Differentiated<F>, Error> {
+        let solution = Solution { warning: solution.warning.worse(of_friction), ..*solution };
+        let (friction, motion) = (contact.friction, *self.creepage);
+        let Some(law) = self.law.filter(|_| !contact.is_lost()) else {
+            let Slopes { derivatives, by_mismatch, .. } = *slopes;
+            let law = without_law(&derivatives, by_mismatch, &motion);
+            Error::Overflow.unless(few_are_finite(&law.slope_factor))?;
+            return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
+        };
+        let (power, load) = (solution.power, contact.normal_force);
+        let besides = BesidesSlopes::nothing();
+        let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
+        let falls = self.options.model != Model::Linear && law.falls();
+        let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
+        let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
+        Error::Overflow.unless(fit)?;
+        Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
+    }
+
+    /// Checks the inputs of [`differentiate_with_law`], without solving but where sizes are so
+    /// unusual that a derivative might not fit.
+    pub fn check_differentiable(&self, contact: &Contact<F>) -> Result<(), Error> {
+        self.check(contact)?;
+        let (friction, steepness) = match self.law {
+            Some(law) => law.least(contact, self.creepage),
+            None => (contact.friction, F::zero()),
+        };
+        // Slopes are those of linear theory, over the bound at most so many, and grow tenfold
+        // through friction.
+        let fit = contact.is_ordinary(self.creepage)
+            && contact.tangential_stiffness()
+                <= Contact { friction, ..*contact }.friction_bound().times(1e6)
+            && steepness < F::constant(0.9);
+        if fit || contact.is_lost() {
+            return Ok(());
+        }
+        self.differentiate(contact).map(|_| ())
+    }
 }
 
 /// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)`
@@ -307,39 +309,6 @@ pub(crate) fn without_law<F: Float>(
         *entry += by_mismatch;
     }
     LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
-}
-
-/// Checks the inputs of [`differentiate_with_law`], without solving but where sizes are so unusual
-/// that a derivative might not fit.
-///
-/// # Errors
-/// Those of [`differentiate_with_law`].
-pub(crate) fn check_differentiable<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-) -> Result<(), Error> {
-    let (friction, steepness) = match law {
-        Some(law) => {
-            friction::check_with_law(contact, creepage, law, options)?;
-            law.least(contact, creepage)
-        }
-        None => {
-            forces::check::check(contact, creepage, options)?;
-            (contact.friction, F::zero())
-        }
-    };
-    // Slopes are those of linear theory, over the bound at most so many, and grow tenfold through
-    // friction.
-    let fit = contact.is_ordinary(creepage)
-        && contact.tangential_stiffness()
-            <= Contact { friction, ..*contact }.friction_bound().times(1e6)
-        && steepness < F::constant(0.9);
-    if fit || contact.is_lost() {
-        return Ok(());
-    }
-    differentiate_with_law(contact, creepage, law, options).map(|_| ())
 }
 
 impl<F: Float> LawDerivatives<F> {

@@ -4,8 +4,7 @@
 //! layer points are those between half-spaces and bristles (`friction::behind`).
 
 use super::behind::StripBehind;
-use super::layered::ThroughLayer;
-use super::{SlipFriction, check_with_law, contact_with_law_checked};
+use super::{InMotion, SlipFriction};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::field::{Field, FieldPoint, FieldStrip};
@@ -57,30 +56,21 @@ impl<F: Float> LawField<F> {
         law: Option<&SlipFriction<F>>,
         options: &Options,
     ) -> Result<Self, Error> {
-        let Some(law) = law else {
-            let half_spaces = Field::new(contact, creepage, options)?;
-            let warning = half_spaces.warning;
-            return Ok(Self { contact: *contact, half_spaces, behind: None, warning });
-        };
-        check_with_law(contact, creepage, law, options)?;
-        let (contact, of_friction) = contact_with_law_checked(contact, creepage, law, options)?;
-        let whole = Field::new(&contact, creepage, options)?;
-        let warning = whole.warning.worse(of_friction);
-        let clean = Self { contact, half_spaces: whole, behind: None, warning };
-        if !law.has_interface() || contact.is_lost() {
+        let motion = InMotion { creepage, law, options };
+        motion.check(contact)?;
+        let (contact, of_friction) = motion.with_friction(contact)?;
+        let half_spaces = Field::new(&contact, creepage, options)?;
+        let warning = half_spaces.warning.worse(of_friction);
+        let clean = Self { contact, half_spaces, behind: None, warning };
+        let Some(through) = motion.behind_layer().filter(|_| !contact.is_lost()) else {
             return Ok(clean);
-        }
-        let through = ThroughLayer { law, creepage, options };
-        let (layer, split, seen, has_bristles) = through.split_of(&contact);
+        };
+        let (layer, split, whole, has_bristles) = through.split_of(&contact);
         let like = Contact { mismatch: F::zero(), ..contact };
-        let seen_by_half_spaces = split.half_spaces(&seen);
-        let half_spaces = Field::new(&like, &seen_by_half_spaces, options)?;
-        let (whole, seen) = (seen, seen_by_half_spaces);
-        Ok(Self {
-            behind: Some(Behind { layer, split, whole, seen, has_bristles }),
-            half_spaces,
-            ..clean
-        })
+        let seen = split.half_spaces(&whole);
+        let half_spaces = Field::new(&like, &seen, options)?;
+        let behind = Some(Behind { layer, split, whole, seen, has_bristles });
+        Ok(Self { behind, half_spaces, ..clean })
     }
 
     /// The strip through `y` \[m\].

@@ -93,24 +93,9 @@ pub fn solve_with_law<F: Float>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
-    check_with_law(contact, creepage, friction, options)?;
-    solve_with_law_checked(contact, creepage, friction, options)
-}
-
-/// [`solve_with_law`] for inputs that [`check_with_law`] has accepted.
-///
-/// # Errors
-/// Those of [`forces::forces_of_contact`], which such inputs do not cause.
-pub(crate) fn solve_with_law_checked<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
-) -> Result<FrictionSolution<F>, Error> {
-    let (contact, warning) = contact_with_law_checked(contact, creepage, friction, options)?;
-    let mut solution = forces_behind(&contact, creepage, friction, options)?;
-    solution.warning = solution.warning.worse(warning);
-    Ok(FrictionSolution { solution, friction: contact.friction })
+    let motion = InMotion { creepage, law: Some(friction), options };
+    motion.check(contact)?;
+    motion.solve(contact)
 }
 
 /// The contact with the friction that agrees with the slip and with the stiffness of the layer.
@@ -124,37 +109,9 @@ pub fn contact_with_law<F: Float>(
     friction: &SlipFriction<F>,
     options: &Options,
 ) -> Result<(Contact<F>, Warning), Error> {
-    check_with_law(contact, creepage, friction, options)?;
-    contact_with_law_checked(contact, creepage, friction, options)
-}
-
-/// [`contact_with_law`] for inputs that [`check_with_law`] has accepted.
-///
-/// # Errors
-/// Those of [`forces::forces_of_contact`], which such inputs do not cause.
-pub(crate) fn contact_with_law_checked<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
-) -> Result<(Contact<F>, Warning), Error> {
-    let contact = friction.contact(contact);
-    let (friction, warning) = agreement(&contact, creepage, friction, options)?;
-    Ok((Contact { friction, ..contact }, warning))
-}
-
-/// Checks the inputs of [`solve_with_law`] without solving.
-///
-/// # Errors
-/// Those of [`solve_with_law`]: a smaller friction causes no other error.
-pub fn check_with_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
-) -> Result<(), Error> {
-    friction.check()?;
-    forces::check(&friction.contact(contact), creepage, options)
+    let motion = InMotion { creepage, law: Some(friction), options };
+    motion.check(contact)?;
+    motion.with_friction(contact)
 }
 
 /// Every strip of the solution, handed to `visit`, of a contact with the friction that agrees and
@@ -169,60 +126,81 @@ pub fn strips_with_law<F: Float>(
     options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    match law.filter(|law| law.has_interface()) {
-        Some(law) => ThroughLayer { law, creepage, options }.strips(contact, visit),
+    match (InMotion { creepage, law, options }).behind_layer() {
+        Some(through) => through.strips(contact, visit),
         None => forces::strips(contact, creepage, options, visit),
     }
 }
 
-/// Forces of a contact that has the stiffness of the law, through the layer of the law.
-///
-/// # Errors
-/// Those of [`forces::forces_of_contact`].
-#[inline(always)]
-fn forces_behind<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: &SlipFriction<F>,
-    options: &Options,
-) -> Result<Solution<F>, Error> {
-    if law.has_interface() {
-        return ThroughLayer { law, creepage, options }.solve(contact);
-    }
-    forces::forces_of_contact(contact, creepage, options)
+/// How a contact moves, under which law of friction, if any, and what is to be computed of it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct InMotion<'a, F> {
+    pub creepage: &'a Creepage<F>,
+    pub law: Option<&'a SlipFriction<F>>,
+    pub options: &'a Options,
 }
 
-/// The largest `μ` that agrees with the slip that it causes. `contact` has `μ₀`, and was checked.
-fn agreement<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
-) -> Result<(F, Warning), Error> {
-    let nothing = contact.friction_bound() <= F::zero();
-    if options.model == Model::Linear || !friction.falls() || nothing {
-        return Ok((friction.friction, Warning::None));
+impl<'a, F: Float> InMotion<'a, F> {
+    /// Checks all inputs without solving. A smaller friction than that of the law without slip
+    /// causes no other error.
+    pub fn check(&self, contact: &Contact<F>) -> Result<(), Error> {
+        let Some(law) = self.law else {
+            return forces::check(contact, self.creepage, self.options);
+        };
+        law.check()?;
+        forces::check(&law.contact(contact), self.creepage, self.options)
     }
-    FrictionEquation::new(
-        friction,
-        fastest_slip(contact, creepage),
-        contact.normal_force,
-        |friction_now| {
-            let contact = Contact { friction: friction_now, ..*contact };
+
+    /// Forces of a contact, which was checked if there is a law.
+    pub fn solve(&self, contact: &Contact<F>) -> Result<FrictionSolution<F>, Error> {
+        let (contact, warning) = self.with_friction(contact)?;
+        let mut solution = self.forces(&contact)?;
+        solution.warning = solution.warning.worse(warning);
+        Ok(FrictionSolution { solution, friction: contact.friction })
+    }
+
+    /// The checked contact with the stiffness of the law and the largest friction `μ` that agrees
+    /// with the slip that it causes.
+    pub fn with_friction(&self, contact: &Contact<F>) -> Result<(Contact<F>, Warning), Error> {
+        let Some(law) = self.law else { return Ok((*contact, Warning::None)) };
+        let contact = law.contact(contact);
+        let nothing = contact.friction_bound() <= F::zero();
+        if self.options.model == Model::Linear || !law.falls() || nothing {
+            return Ok((contact, Warning::None));
+        }
+        let next = |friction| {
+            let contact = Contact { friction, ..contact };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                let solution = forces_behind(&contact, creepage, friction, options)?;
-                return Ok(friction.at(solution.power / bound));
+                return Ok(law.at(self.forces(&contact)?.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let slopes = if friction.has_interface() {
-                ThroughLayer { law: friction, creepage, options }.differentiate(&contact)?.1
-            } else {
-                solve_with_slopes(&contact, creepage, options)?.1
+            let slopes = match self.behind_layer() {
+                Some(through) => through.differentiate(&contact)?.1,
+                None => solve_with_slopes(&contact, self.creepage, self.options)?.1,
             };
             let power = slopes.seen.power(slopes.derivatives.friction);
-            Ok(friction.at(power / contact.normal_force))
-        },
-    )
-    .largest_solution()
+            Ok(law.at(power / contact.normal_force))
+        };
+        let rigid_slip = fastest_slip(&contact, self.creepage);
+        let equation = FrictionEquation { law, rigid_slip, load: contact.normal_force, next };
+        let (friction, warning) = equation.largest_solution()?;
+        Ok((Contact { friction, ..contact }, warning))
+    }
+
+    /// The model behind the layer of the law, if there is one.
+    #[inline]
+    pub fn behind_layer(&self) -> Option<ThroughLayer<'a, F>> {
+        let law = self.law.filter(|law| law.has_interface())?;
+        Some(ThroughLayer { law, creepage: self.creepage, options: self.options })
+    }
+
+    /// Forces of a contact that has the stiffness and the friction of the law.
+    #[inline(always)]
+    fn forces(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
+        match self.behind_layer() {
+            Some(through) => through.solve(contact),
+            None => forces::forces_of_contact(contact, self.creepage, self.options),
+        }
+    }
 }

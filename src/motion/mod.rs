@@ -35,9 +35,9 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::implausibility;
-use crate::forces::{self, Options, Solution};
+use crate::forces::{Options, Solution};
 use crate::friction::derivatives::{self, Differentiated};
-use crate::friction::{self, FrictionSolution, SlipFriction};
+use crate::friction::{FrictionSolution, InMotion, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 
@@ -103,7 +103,7 @@ pub struct MotionDerivatives<F> {
 /// not used.
 ///
 /// # Errors
-/// Those of [`forces::forces_of_contact`] and, with a law, [`friction::solve_with_law`];
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact) and [`SlipFriction::check`];
 /// [`Error::NotFinite`], [`Error::FloorSpeed`].
 ///
 /// # Example
@@ -132,15 +132,12 @@ pub fn solve_motion<F: Float>(
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
     let ratio = rolling.speed_by_rolling;
-    let [forward, backward] =
-        rolling.each_end_of(contact, ratio, |contact, creepage| match &law {
-            Some(law) => {
-                let FrictionSolution { solution, friction } =
-                    friction::solve_with_law(contact, creepage, law, options)?;
-                Ok((solution, friction))
-            }
-            None => Ok((forces::forces_of_contact(contact, creepage, options)?, contact.friction)),
-        })?;
+    let [forward, backward] = rolling.each_end_of(contact, ratio, |contact, creepage| {
+        let motion = InMotion { creepage, law: law.as_ref(), options };
+        motion.check(contact)?;
+        let FrictionSolution { solution, friction } = motion.solve(contact)?;
+        Ok((solution, friction))
+    })?;
     rolling.blended(&with_friction_of_law(contact, law.as_ref()), forward, backward)
 }
 

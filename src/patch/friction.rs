@@ -146,13 +146,14 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         if !self.law.falls() || self.bound <= F::zero() {
             return Ok((F::one(), Warning::None));
         }
-        FrictionEquation::new(&self.law, self.rigid_slip, self.bound, |share| {
+        let next = |share| {
             let scaled = self.scaled(share)?;
             let found =
                 solver::solve_behind(&scaled.patch, &scaled.creepage, self.model, self.behind)?;
             Ok(self.law.at(found.power / scaled.factor / self.bound))
-        })
-        .largest_solution()
+        };
+        let (law, rigid_slip, load) = (&self.law, self.rigid_slip, self.bound);
+        FrictionEquation { law, rigid_slip, load, next }.largest_solution()
     }
 
     /// `k c/λ` and `k κ/λ`; where `λ` vanishes, creepages so large that the whole patch slides.

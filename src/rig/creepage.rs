@@ -22,9 +22,9 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{self, Derivatives};
-use crate::forces::{self, Model, Options};
+use crate::forces::{Model, Options};
 use crate::friction::derivatives::differentiate_with_law;
-use crate::friction::{self, SlipFriction};
+use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite, length};
 use crate::numerics::bracket::root;
 use crate::numerics::{Bracket, Cubic};
@@ -70,7 +70,7 @@ const TAKEN: f64 = 1e4;
 /// and the result is one of them.
 ///
 /// # Errors
-/// Those of [`forces_of_contact`](forces::forces_of_contact), [`Error::ForceBeyondFriction`].
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::ForceBeyondFriction`].
 ///
 /// # Example
 /// ```
@@ -110,10 +110,7 @@ pub fn creepage_for_force_under<F: Float>(
     options: &Options,
 ) -> Result<(Creepage<F>, Warning), Error> {
     let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
-    match law {
-        None => forces::check(contact, &none, options)?,
-        Some(law) => friction::check_with_law(contact, &none, law, options)?,
-    }
+    InMotion { creepage: &none, law, options }.check(contact)?;
     let contact = &law.map_or(*contact, |law| Contact { friction: law.friction, ..*contact });
     let [fx, fy] = force;
     Error::NotFinite.unless(are_finite(&force))?;

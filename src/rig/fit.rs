@@ -17,7 +17,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::Options;
 use crate::friction::derivatives::{Differentiated, differentiate_with_law};
-use crate::friction::{self, SlipFriction};
+use crate::friction::{InMotion, SlipFriction, fastest_slip};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 use nalgebra::Matrix6;
@@ -187,8 +187,8 @@ impl<'a, F: Float> Fit<'a, F> {
         for (i, point) in points.iter().enumerate() {
             point.check().map_err(|error| (i, error))?;
             let creepage = point.creepage();
-            friction::check_with_law(contact, &creepage, start, options)
-                .map_err(|error| (i, error))?;
+            let motion = InMotion { creepage: &creepage, law: Some(start), options };
+            motion.check(contact).map_err(|error| (i, error))?;
             for force in point.measured_forces().into_iter().flatten() {
                 if point.weight > zero {
                     count += 1;
@@ -196,7 +196,7 @@ impl<'a, F: Float> Fit<'a, F> {
                     let over = force / load;
                     squares += point.weight * over * over;
                     used = used.max(over.abs());
-                    fastest = fastest.max(friction::fastest_slip(contact, &creepage));
+                    fastest = fastest.max(fastest_slip(contact, &creepage));
                 }
             }
         }

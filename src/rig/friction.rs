@@ -5,9 +5,8 @@ use super::{FrictionEstimate, Measured};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives;
-use crate::forces::{self, Model, Options, Solution};
-use crate::friction::derivatives::differentiate_with_law_checked;
-use crate::friction::{self, SlipFriction};
+use crate::forces::{Model, Options, Solution};
+use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
@@ -52,7 +51,7 @@ const ROUNDINGS: f64 = 32.0;
 /// At most 90 solutions with derivatives.
 ///
 /// # Errors
-/// Those of [`forces_of_contact`](forces::forces_of_contact), [`Error::NotInModel`] for
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::NotInModel`] for
 /// [`Model::Linear`], [`Error::Unexplained`].
 ///
 /// # Example
@@ -128,12 +127,9 @@ impl<'a, F: Float> Rig<'a, F> {
         Error::NotInModel.unless(options.model != Model::Linear)?;
         Error::NotFinite.unless(are_finite(&[fx, fy]))?;
         let contact = Contact { friction: F::zero(), ..*contact };
-        let check = |contact: &Contact<F>| match law {
-            None => forces::check(contact, creepage, options),
-            Some(law) => {
-                let law = SlipFriction { friction: contact.friction, ..*law };
-                friction::check_with_law(contact, creepage, &law, options)
-            }
+        let check = |contact: &Contact<F>| {
+            let law = law.map(|law| SlipFriction { friction: contact.friction, ..*law });
+            InMotion { creepage, law: law.as_ref(), options }.check(contact)
         };
         check(&contact)?;
         let target = measured.component([fx, fy]);
@@ -187,9 +183,9 @@ impl<'a, F: Float> Rig<'a, F> {
             let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
             return Ok((*solution, slopes.derivatives.friction, friction));
         };
-        let law = SlipFriction { friction, ..*law };
-        let found =
-            differentiate_with_law_checked(&contact, self.creepage, Some(&law), self.options)?;
+        let law = Some(&SlipFriction { friction, ..*law });
+        let motion = InMotion { creepage: self.creepage, law, options: self.options };
+        let found = motion.differentiate(&contact)?;
         Ok((found.solution, found.derivatives.friction, found.friction))
     }
 
