@@ -61,22 +61,24 @@ extern "C" {
 /** Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched. */
 typedef int32_t kstrip_status;
 
-/** Success. */
+/** Ok: ok. */
 #define KSTRIP_OK 0
 
 /**
- * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967. The result is this
- * library's own continuation of that theory: finite, continuous and bounded by mu N.
+ * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967, and the result is its
+ * continuation by this library: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/** Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
+/**
+ * Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT, and the
+ * result is bounded by mu N.
+ */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 /**
- * Warning: more than one coefficient of friction fits. Under falling friction the result has the
- * largest, which a contact has whose slip grows from rest. An estimate from a measured force is
- * the smallest.
+ * Warning: more than one coefficient of friction fits: under falling friction the result has the
+ * largest, which a contact has whose slip grows from rest, and an estimate is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 /** Warning: an iteration ended before its result was accurate to rounding. */
@@ -85,44 +87,38 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
 /** Warning: the requested force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-/**
- * Warning: the peak pressure exceeds a tenth of the shear modulus. The modulus, the load or the
- * semi-axes are probably in another unit.
- */
+/** Warning: implausible pressure, above a tenth of the shear modulus. */
 #define KSTRIP_WARNING_PRESSURE 8
-/**
- * Warning: a creepage exceeds 10. It is probably in per cent, or the rolling speed is close to
- * zero.
- */
+/** Warning: implausible creepage, above 10. */
 #define KSTRIP_WARNING_CREEPAGE 9
-/** Warning: a semi-axis exceeds 1 m. It is probably in mm. */
+/** Warning: implausible semi-axis, above 1 m. */
 #define KSTRIP_WARNING_SEMI_AXIS 10
-/**
- * Warning: the spin is larger than rolling bodies of this curvature can have. It is probably in
- * degrees per metre.
- */
+/** Warning: implausible spin, larger than rolling bodies of this curvature can have. */
 #define KSTRIP_WARNING_SPIN_UNIT 11
-/** Warning: the coefficient of friction exceeds 5. It is probably in per cent. */
+/** Warning: implausible coefficient of friction, above 5. */
 #define KSTRIP_WARNING_FRICTION 12
-/** Warning: the radii are larger than 5 m in both directions. They are probably in mm. */
+/** Warning: implausible radii, larger than 5 m in both directions. */
 #define KSTRIP_WARNING_RADIUS 13
-/** Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made. */
+/**
+ * Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, and
+ * the result has the right limits.
+ */
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /**
  * Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its
- * reference.
+ * reference, and the result is bounded by mu N.
  */
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
 /**
  * Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are
- * not half-spaces.
+ * not half-spaces, and the result is that of half-spaces.
  */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel. One plane of
- * contact is then not enough: forces may be off by some tenths of mu N.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel, so that one plane
+ * of contact is not enough: forces may be off by some tenths of mu N.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
@@ -130,30 +126,25 @@ typedef int32_t kstrip_status;
 /** Warning: the measured points do not determine each parameter of a law. */
 #define KSTRIP_WARNING_UNDETERMINED 20
 /**
- * Warning: a profile stands upside down or the wrong way round. z must point down, and the flange
- * of a wheel and the gauge side of a rail lie at small y. A contact of a wheel above 30 degrees
- * says so too.
+ * Warning: implausible profile, upside down or the wrong way round, or a contact of a wheel above
+ * 30 degrees.
  */
 #define KSTRIP_WARNING_ORIENTATION 21
-/** Warning: a profile is longer than 1 m. It is probably in mm. */
+/** Warning: implausible profile, longer than 1 m. */
 #define KSTRIP_WARNING_PROFILE_SIZE 22
-/** Warning: the shear modulus is below 0.1 MPa. It is probably in MPa or GPa. */
+/** Warning: implausible shear modulus, below 0.1 MPa. */
 #define KSTRIP_WARNING_MODULUS 23
-/**
- * Warning: friction and Poisson's ratio of a wheel and a rail are both 0. They were probably
- * forgotten.
- */
+/** Warning: friction and Poisson's ratio of a wheel and a rail are both 0. */
 #define KSTRIP_WARNING_UNSET 24
 /**
- * Warning: no ordinary contact supports the wheel. The support falls with depth on the way to the
- * height that was found, because friction pulls the wheel down, or the peak pressure exceeds a
- * twentieth of the shear modulus.
+ * Warning: no ordinary contact supports the wheel: the support falls with depth on the way to this
+ * height, because friction pulls the wheel down, or the peak pressure exceeds a twentieth of the
+ * shear modulus.
  */
 #define KSTRIP_WARNING_SUPPORT 25
 /**
- * Warning: a contact of a wheel is less than four distances of the points of a profile wide. The
- * profile has few points and is not smooth between them, and the pressure depends on the shape
- * there.
+ * Warning: a contact of a wheel is less than four distances of the points of a profile wide, so
+ * that the pressure depends on the shape between the points.
  */
 #define KSTRIP_WARNING_PROFILE_COARSE 26
 
@@ -164,8 +155,8 @@ typedef int32_t kstrip_status;
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
 /**
- * Error: the normal force of a profile is negative, or the requested support of a wheel is not
- * positive.
+ * Error: the normal force of a profile or of a contact of a wheel, or the share of such a contact,
+ * is negative, or the requested support of a wheel is not positive.
  */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
 /** Error: a modulus of elasticity is not positive. */
@@ -188,8 +179,8 @@ typedef int32_t kstrip_status;
 /** Error: the caller's array is too small, or a count exceeds the capacity of a structure. */
 #define KSTRIP_ERROR_CAPACITY -12
 /**
- * Error: the model cannot compute a requested output: it has no strips, no field or no patches, or
- * its force does not depend on friction.
+ * Error: the model cannot compute a requested output, because it has no strips, no field or no
+ * patches, or its force does not depend on friction.
  */
 #define KSTRIP_ERROR_NOT_IN_MODEL -13
 /** Error: a result is beyond the range of the floating-point type. */
