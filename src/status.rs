@@ -223,23 +223,20 @@ statuses! {
             "the requested force is that of full sliding, which every larger creepage gives as \
              well";
         KSTRIP_WARNING_PRESSURE Pressure = 8:
-            "implausible pressure, above a tenth of the shear modulus",
-            "check the units of modulus (Pa), load (N) and semi-axes (m)";
+            "implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the \
+             load (N) or the semi-axes (m) are probably in another unit";
         KSTRIP_WARNING_CREEPAGE Creepage = 9:
-            "implausible creepage, above 10",
-            "check that it is a ratio, not per cent, and that the contact rolls (at low speed \
-             use slip velocities)";
+            "implausible creepage, above 10: it is probably in per cent, or the contact hardly \
+             rolls (at low speed use slip velocities)";
         KSTRIP_WARNING_SEMI_AXIS SemiAxis = 10:
-            "implausible semi-axis, above 1 m", "check its unit (m, not mm)";
+            "implausible semi-axis, above 1 m: it is probably in mm";
         KSTRIP_WARNING_SPIN_UNIT Spin = 11:
-            "implausible spin, larger than rolling bodies of this curvature can have",
-            "check its unit (rad/m, not degrees)";
+            "implausible spin, larger than rolling bodies of this curvature can have: it is \
+             probably in degrees per metre";
         KSTRIP_WARNING_FRICTION Friction = 12:
-            "implausible coefficient of friction, above 5",
-            "check that it is not a percentage";
+            "implausible coefficient of friction, above 5: it is probably in per cent";
         KSTRIP_WARNING_RADIUS Radius = 13:
-            "implausible radii, larger than 5 m in both directions",
-            "check their unit (m, not mm)";
+            "implausible radii, larger than 5 m in both directions: they are probably in mm";
         KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14:
             "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, \
              and the result has the right limits";
@@ -263,14 +260,12 @@ statuses! {
             "fit fewer, or measure at other creepages";
         KSTRIP_WARNING_ORIENTATION Orientation = 21:
             "implausible profile, upside down or the wrong way round, or a contact of a wheel \
-             above 30 degrees",
-            "check z, which points down, and y: the flange of a wheel and the gauge side of a \
-             rail lie at small y";
+             above 30 degrees: z must point down, and the flange of a wheel and the gauge side of \
+             a rail lie at small y";
         KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22:
-            "implausible profile, longer than 1 m", "check its unit (m, not mm)";
+            "implausible profile, longer than 1 m: it is probably in mm";
         KSTRIP_WARNING_MODULUS Modulus = 23:
-            "implausible shear modulus, below 0.1 MPa",
-            "check its unit (Pa, not MPa or GPa)";
+            "implausible shear modulus, below 0.1 MPa: it is probably in MPa or GPa";
         KSTRIP_WARNING_UNSET Unset = 24:
             "friction and Poisson's ratio of a wheel and a rail are both 0",
             "set them, or one of them if this is meant";

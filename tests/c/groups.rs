@@ -246,7 +246,8 @@ pub fn statuses(tables: &str) -> String {
         let kind = name.split('_').next().expect("a kind");
         let kind = kind[..1].to_owned() + &kind[1..].to_lowercase();
         let mut line = "///".to_owned();
-        for word in format!("{kind}: {means}.").split_whitespace() {
+        let comment = if name == "OK" { "Success.".into() } else { format!("{kind}: {means}.") };
+        for word in comment.split_whitespace() {
             if line.len() + word.len() >= 100 {
                 text += &format!("{line}\n");
                 line.truncate(3);
