@@ -1,14 +1,13 @@
 //! Patches: contacts of any shape, given by their strips.
 
 use super::support::*;
-use crate::normal::cells::{CELLS, Cells, Given};
-use crate::normal::{Profile, ProfileContact};
+use crate::normal::ProfileContact;
+use crate::normal::cells::{CELLS, Cells};
 use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
-use heapless::Vec;
 
 impl<F: Float> StoredPatch<F> {
     /// A patch without strips, written in place because it is large.
-    fn write_empty(
+    pub(super) fn write_empty(
         out: &mut MaybeUninit<Self>,
         shear_modulus: F,
         poisson_ratio: F,
@@ -24,7 +23,7 @@ impl<F: Float> StoredPatch<F> {
         patch
     }
 
-    fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
+    pub(super) fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
         let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
         let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.quadrature());
         for strip in view.strips() {
@@ -33,58 +32,9 @@ impl<F: Float> StoredPatch<F> {
     }
 }
 
-impl<F: Float> PatchSummary<F> {
-    pub(super) fn new(view: &PatchView<F>) -> Self {
-        Self {
-            normal_force: view.normal_force(),
-            friction_bound: view.friction_bound(),
-            area: view.area() * view.quadrature().area,
-            lobes: view.lobes().count() as u32,
-            reserved: 0,
-        }
-    }
-}
-
-pub(super) fn from_contact<F: Float>(
-    contact: &Contact<F>,
-    options: Option<&kstrip_options>,
-    out: &mut MaybeUninit<StoredPatch<F>>,
-) -> Result<(), Error> {
-    let count = for_strips(options)?.strips;
-    let Contact { shear_modulus, poisson_ratio, .. } = *contact;
-    if contact.is_lost() {
-        contact.check()?;
-        let none = PatchView::new(&[], shear_modulus, poisson_ratio, QuadratureScale::default())?;
-        StoredPatch::write(&none, out);
-        return Ok(());
-    }
-    patch::check_ellipse(contact, count)?;
-    let scale = QuadratureScale::default();
-    let stored = StoredPatch::write_empty(out, shear_modulus, poisson_ratio, scale);
-    stored.mismatch = contact.mismatch;
-    let scale = patch::ellipse(contact, count, |strip| stored.push(strip))?;
-    (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
-    Ok(())
-}
-
-pub(super) fn from_strips<F: Float>(
-    strips: &[PatchStrip<F>],
-    shear_modulus: F,
-    poisson_ratio: F,
-    out: &mut MaybeUninit<StoredPatch<F>>,
-) -> Result<(), Error> {
-    Error::PatchSize.unless(strips.len() <= KSTRIP_PATCH_CAPACITY)?;
-    match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
-        Ok(view) => StoredPatch::write(&view, out),
-        Err(Error::StripOrder) => sorted(strips, shear_modulus, poisson_ratio, out)?,
-        Err(error) => return Err(error),
-    }
-    Ok(())
-}
-
 /// Sorts strips of any order into a patch. Out of line, because it has a copy on the stack.
 #[inline(never)]
-fn sorted<F: Float>(
+pub(super) fn sorted<F: Float>(
     strips: &[PatchStrip<F>],
     shear_modulus: F,
     poisson_ratio: F,
@@ -96,55 +46,10 @@ fn sorted<F: Float>(
     Ok(())
 }
 
-/// # Safety
-/// Every pointer is NULL, or valid for as many elements as there are points while the profile
-/// lives.
-pub(super) unsafe fn profile_of<'a, F: Float>(
-    points: &ProfilePoints<F>,
-) -> Result<Profile<'a, F>, Error> {
-    let ProfilePoints { y, distance, centre_x, rolling_radius, points, .. } = *points;
-    // SAFETY: the caller's promise.
-    let list = |pointer: *const F| unsafe { input(pointer, points) };
-    let mut profile = Profile::new(list(y)?, list(distance)?)?;
-    if !centre_x.is_null() {
-        profile = profile.with_centre_x(list(centre_x)?)?;
-    }
-    if !rolling_radius.is_null() {
-        profile = profile.with_rolling_radius(list(rolling_radius)?)?;
-    }
-    Ok(profile)
-}
-
-pub(super) fn from_profile<F: Float>(
-    profile: &Profile<F>,
-    options: &ProfileOptions<F>,
-    out: &mut MaybeUninit<StoredPatch<F>>,
-) -> Result<Indentation<F>, Error> {
-    let ProfileOptions { rolling_radius, normal_force, shear_modulus, .. } = *options;
-    let ProfileOptions { poisson_ratio, friction, approach, smoothing_length, .. } = *options;
-    // (the approach counts only where there is no load)
-    let by_load = normal_force != F::zero() || approach == F::zero();
-    let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
-    let contact = ProfileContact {
-        rolling_radius,
-        given,
-        shear_modulus,
-        poisson_ratio,
-        friction,
-        smoothing_length,
-    };
-    let count = strip_count(options.strips)?;
-    let mut list = Vec::<_, CELLS>::new();
-    let mut cells = Cells { list: list.as_mut_view() };
-    let mut found = Indentation::new(profile, &contact, count, &mut cells)?;
-    of_cells(&contact, &cells, &mut found, out)?;
-    Ok(found)
-}
-
 /// Writes the patch of cells. (Out of line, so that it takes room on the stack only when they are
 /// solved.)
 #[inline(never)]
-fn of_cells<F: Float>(
+pub(super) fn of_cells<F: Float>(
     contact: &ProfileContact<F>,
     cells: &Cells<F, 1>,
     found: &mut Indentation<F>,

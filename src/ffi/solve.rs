@@ -118,29 +118,3 @@ unsafe fn evaluate_strips<F: Float>(
         })
     }
 }
-
-/// # Safety
-/// Every pointer of the outputs is NULL, or valid and aligned for one write; no two overlap.
-pub(super) unsafe fn write_motion<F: Float>(
-    contact: &Contact<F>,
-    motion: &Motion<F>,
-    law: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: &MotionOutputs<F>,
-) -> Result<Warning, Error> {
-    let options = for_forces(options)?;
-    // SAFETY: the caller's promise.
-    let (result, used, derivatives) =
-        unsafe { (place(outputs.result), place(outputs.friction), place(outputs.derivatives)) };
-    let (solution, friction) = if let Some(place) = derivatives {
-        let (solution, friction, slopes) =
-            motion::differentiate_motion(contact, motion, law, &options)?;
-        place.write(slopes);
-        (solution, friction)
-    } else {
-        motion::solve_motion(contact, motion, law, &options)?
-    };
-    put(result, solution);
-    put(used, friction);
-    Ok(solution.warning)
-}

@@ -4,7 +4,10 @@ use super::F;
 use crate::ffi::inside::write_grid;
 use crate::ffi::patch::*;
 use crate::ffi::support::*;
-use crate::patch::KSTRIP_PATCH_CAPACITY;
+use crate::normal::cells::{CELLS, Cells, Given};
+use crate::normal::{Profile, ProfileContact};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView, QuadratureScale, check_ellipse, ellipse};
+use heapless::Vec;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
@@ -29,10 +32,36 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
     patch: Option<&mut MaybeUninit<StoredPatch<F>>>,
     result: Option<&mut MaybeUninit<Indentation<F>>>,
 ) -> kstrip_status {
-    // SAFETY: NULL or as many elements as points says, says the header.
-    let profile = profile.map(|profile| unsafe { profile_of(profile) });
     answer(|| {
-        let found = from_profile(&given(profile)??, given(contact)?, given(patch)?)?;
+        let (profile, contact, patch) = (given(profile)?, given(contact)?, given(patch)?);
+        let ProfilePoints { y, distance, centre_x, rolling_radius, points, .. } = *profile;
+        // SAFETY: NULL or as many elements as points says, says the header.
+        let list = |pointer: *const F| unsafe { input(pointer, points) };
+        let mut profile = Profile::new(list(y)?, list(distance)?)?;
+        if !centre_x.is_null() {
+            profile = profile.with_centre_x(list(centre_x)?)?;
+        }
+        if !rolling_radius.is_null() {
+            profile = profile.with_rolling_radius(list(rolling_radius)?)?;
+        }
+        let ProfileOptions { rolling_radius, shear_modulus, poisson_ratio, friction, .. } =
+            *contact;
+        let ProfileOptions { normal_force, approach, smoothing_length, strips, .. } = *contact;
+        // (the approach counts only where there is no load)
+        let by_load = normal_force != 0.0 || approach == 0.0;
+        let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
+        let contact = &ProfileContact {
+            rolling_radius,
+            given,
+            shear_modulus,
+            poisson_ratio,
+            friction,
+            smoothing_length,
+        };
+        let mut list = Vec::<_, CELLS>::new();
+        let mut cells = Cells { list: list.as_mut_view() };
+        let mut found = Indentation::new(&profile, contact, strip_count(strips)?, &mut cells)?;
+        of_cells(contact, &cells, &mut found, patch)?;
         put(result, found);
         Ok(found.warning)
     })
@@ -63,7 +92,13 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
     // SAFETY: NULL or count elements, says the header.
     let strips = unsafe { input(strips, count) };
     answer(|| {
-        from_strips(strips?, shear_modulus, poisson_ratio, given(patch)?)?;
+        let (strips, patch) = (strips?, given(patch)?);
+        Error::PatchSize.unless(strips.len() <= KSTRIP_PATCH_CAPACITY)?;
+        match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
+            Ok(view) => StoredPatch::write(&view, patch),
+            Err(Error::StripOrder) => sorted(strips, shear_modulus, poisson_ratio, patch)?,
+            Err(error) => return Err(error),
+        }
         Ok(Warning::None)
     })
 }
@@ -87,7 +122,20 @@ pub extern "C" fn kstrip_patch_from_contact(
     patch: Option<&mut MaybeUninit<StoredPatch<F>>>,
 ) -> kstrip_status {
     answer(|| {
-        from_contact(given(contact)?, options, given(patch)?)?;
+        let (contact, patch) = (given(contact)?, given(patch)?);
+        let count = for_strips(options)?.strips;
+        let Contact { shear_modulus, poisson_ratio, .. } = *contact;
+        let scale = QuadratureScale::default();
+        if contact.is_lost() {
+            contact.check()?;
+            StoredPatch::write(&PatchView::new(&[], shear_modulus, poisson_ratio, scale)?, patch);
+            return Ok(Warning::None);
+        }
+        check_ellipse(contact, count)?;
+        let stored = StoredPatch::write_empty(patch, shear_modulus, poisson_ratio, scale);
+        stored.mismatch = contact.mismatch;
+        let scale = ellipse(contact, count, |strip| stored.push(strip))?;
+        (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
         Ok(Warning::None)
     })
 }
@@ -103,7 +151,16 @@ pub extern "C" fn kstrip_patch_summarize(
     patch: Option<&StoredPatch<F>>,
     summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
 ) -> kstrip_status {
-    fill(summary, || Ok(PatchSummary::new(&given(patch)?.view()?)))
+    fill(summary, || {
+        let view = given(patch)?.view()?;
+        Ok(PatchSummary {
+            normal_force: view.normal_force(),
+            friction_bound: view.friction_bound(),
+            area: view.area() * view.quadrature().area,
+            lobes: view.lobes().count() as u32,
+            reserved: 0,
+        })
+    })
 }
 
 /// Computes, for a patch in motion, every output that is not NULL. Forces act on the lower body.

@@ -127,9 +127,23 @@ pub unsafe extern "C" fn kstrip_solve_motion(
     options: Option<&kstrip_options>,
     outputs: Option<&MotionOutputs<F>>,
 ) -> kstrip_status {
-    // SAFETY: every pointer is NULL or valid, says the header.
-    answer(|| unsafe {
-        write_motion(given(contact)?, given(motion)?, friction, options, given(outputs)?)
+    answer(|| {
+        let (contact, motion, outputs) = (given(contact)?, given(motion)?, given(outputs)?);
+        let options = &for_forces(options)?;
+        // SAFETY: every pointer is NULL or valid, says the header.
+        let (result, used, derivatives) =
+            unsafe { (place(outputs.result), place(outputs.friction), place(outputs.derivatives)) };
+        let (solution, found) = if let Some(derivatives) = derivatives {
+            let (solution, found, slopes) =
+                motion::differentiate_motion(contact, motion, friction, options)?;
+            derivatives.write(slopes);
+            (solution, found)
+        } else {
+            motion::solve_motion(contact, motion, friction, options)?
+        };
+        put(result, solution);
+        put(used, found);
+        Ok(solution.warning)
     })
 }
 
