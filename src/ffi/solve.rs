@@ -77,7 +77,7 @@ pub(super) unsafe fn evaluate<F: Float>(
         (&found.solution, found.friction, None)
     } else if outputs.result.is_null() && !outputs.strips.is_null() {
         // The strips have the errors and the warnings of the forces.
-        nothing = Solution::nothing();
+        nothing = Solution::default();
         (&nothing, contact.friction, None)
     } else {
         alone = forces::forces_of_contact(contact, creepage, &forces);

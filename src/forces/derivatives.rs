@@ -42,7 +42,7 @@ use nalgebra::Matrix3;
 
 /// Derivatives of fx, fy, mz with respect to creepages, load and friction.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Derivatives<F> {
     /// With respect to longitudinal, lateral, spin, row by row \[N, N, N m per 1, 1, 1/m\]; at
     /// kinks of a model a one-sided value.
@@ -55,15 +55,6 @@ pub struct Derivatives<F> {
     /// With respect to the coefficient of friction, that of the law where there is one
     /// \[N, N, N m\].
     pub friction: [F; 3],
-}
-
-impl<F: Float> Derivatives<F> {
-    /// The derivatives of a contact without load.
-    #[must_use]
-    pub fn nothing() -> Self {
-        let none = [F::zero(); 3];
-        Self { jacobian: [none; 3], normal_force: none, load_through_hertz: none, friction: none }
-    }
 }
 
 /// Forces and their exact derivatives with respect to creepages, load and friction.
@@ -114,7 +105,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         find_fault(contact, creepage, options.model)?;
     }
     if contact.is_lost() {
-        return Ok((Solution::nothing(), Slopes::nothing()));
+        return Ok((Solution::default(), Slopes::default()));
     }
     let frame = &ScaledContact::new(contact);
     let (solution, slopes) = by_model!(
@@ -131,7 +122,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
 }
 
 /// Derivatives, and the intermediate results for those through friction and motion.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Slopes<F> {
     pub derivatives: Derivatives<F>,
     /// `κ ∂F/∂κ` \[N, N, N m\]
@@ -145,12 +136,6 @@ pub(crate) struct Slopes<F> {
 }
 
 impl<F: Float> Slopes<F> {
-    pub(crate) fn nothing() -> Self {
-        let none = F::zero();
-        let rest = Creepage { longitudinal: none, lateral: none, spin: none };
-        Self::through_shift(Derivatives::nothing(), None, &rest, [none; 3])
-    }
-
     /// From the derivatives with respect to `w`, and the forces.
     pub(crate) fn through_shift(
         mut derivatives: Derivatives<F>,

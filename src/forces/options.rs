@@ -98,14 +98,6 @@ pub struct Solution<F> {
 }
 
 impl<F: Float> Solution<F> {
-    /// A contact without load: no force, no adhesion.
-    #[must_use]
-    pub fn nothing() -> Self {
-        let zero = F::zero();
-        let warning = Warning::None;
-        Self { fx: zero, fy: zero, mz: zero, power: zero, adhesion: zero, warning, reserved: 0 }
-    }
-
     /// `fx, fy, mz`
     pub(crate) fn components(&self) -> [F; 3] {
         [self.fx, self.fy, self.mz]

@@ -134,7 +134,7 @@ impl<F: Float> Prepared<F> {
                 Linear::at_rest(creepage).unwrap_or_else(|| linear.forces(frame, creepage).0);
             return Ok(Linear::solution(frame, creepage, &forces, F::zero(), true));
         }
-        let mut solution = Solution::nothing();
+        let mut solution = Solution::default();
         self.solve_by_model(creepage, quick, &mut solution)?;
         Ok(solution)
     }

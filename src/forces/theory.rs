@@ -98,7 +98,7 @@ pub(crate) fn solution_of<F: Float, M: Theory<F>>(
         find_fault(contact, creepage, M::MODEL)?;
     }
     if contact.is_lost() {
-        return Ok(Solution::nothing());
+        return Ok(Solution::default());
     }
     let frame = &ScaledContact::new(contact);
     Ok(M::of_contact(frame, options).answer(frame, creepage, ordinary))

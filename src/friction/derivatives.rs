@@ -11,7 +11,7 @@ use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LawDerivatives<F> {
     /// With respect to the ratio \[N, N, N m\].
     pub ratio: [F; 3],
@@ -27,37 +27,14 @@ pub struct LawDerivatives<F> {
     pub layer: [F; 3],
 }
 
-impl<F: Float> LawDerivatives<F> {
-    /// Those of a contact that carries nothing.
-    #[must_use]
-    pub fn nothing() -> Self {
-        let none = [F::zero(); 3];
-        Self {
-            ratio: none,
-            decay: none,
-            rolling_speed: none,
-            slope_factor: none,
-            slide_factor: none,
-            layer: none,
-        }
-    }
-}
-
 /// Derivatives with respect to a factor of the creepages that parts of a contact have besides its
 /// own: of the forces, of the power, and of both without the spin.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct BesidesSlopes<F> {
     pub forces: [F; 3],
     pub power: F,
     pub translation: [F; 3],
     pub power_translation: F,
-}
-
-impl<F: Float> BesidesSlopes<F> {
-    pub fn nothing() -> Self {
-        let (none, zero) = ([F::zero(); 3], F::zero());
-        Self { forces: none, power: zero, translation: none, power_translation: zero }
-    }
 }
 
 /// Power at the friction of a law, and derivatives while friction stays.
@@ -267,7 +244,7 @@ impl<F: Float> InMotion<'_, F> {
             return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
         };
         let (power, load) = (solution.power, contact.normal_force);
-        let besides = BesidesSlopes::nothing();
+        let besides = BesidesSlopes::default();
         let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
         let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
@@ -308,7 +285,7 @@ pub(crate) fn without_law<F: Float>(
     for (entry, by_mismatch) in slope_factor.iter_mut().zip(by_mismatch) {
         *entry += by_mismatch;
     }
-    LawDerivatives { slope_factor, ..LawDerivatives::nothing() }
+    LawDerivatives { slope_factor, ..LawDerivatives::default() }
 }
 
 impl<F: Float> LawDerivatives<F> {

@@ -38,7 +38,7 @@ struct Layered<F, M> {
 pub(crate) type WithSlopes<F> = (Solution<F>, Slopes<F>, LayerSlopes<F>);
 
 /// Derivatives with respect to layer and slide factor at constant friction.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct LayerSlopes<F> {
     /// Of the forces \[N, N, N m\].
     pub forces: [[F; 3]; 2],
@@ -46,14 +46,6 @@ pub(crate) struct LayerSlopes<F> {
     pub power: [F; 2],
     /// The layer `h/G₃` \[m/Pa\].
     pub layer: F,
-}
-
-impl<F: Real> LayerSlopes<F> {
-    /// Those of a contact that carries nothing.
-    pub fn nothing() -> Self {
-        let none = F::zero();
-        Self { forces: [[none; 3]; 2], power: [none; 2], layer: none }
-    }
 }
 
 impl<F: Real, M: Theory<F>> Layered<F, M> {
@@ -206,10 +198,10 @@ impl<F: Float> ThroughLayer<'_, F> {
             find_fault(contact, self.creepage, self.options.model)?;
         }
         if contact.is_lost() {
-            return Ok((Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing()));
+            return Ok(WithSlopes::default());
         }
         let frame = &ScaledContact::new(contact);
-        let none = (Solution::nothing(), Slopes::nothing(), LayerSlopes::nothing());
+        let none = WithSlopes::default();
         let found = by_model!(self.options.model, F, differentiate_in(self, frame, ordinary), none);
         let (_, slopes, of_layer) = &found;
         let fit = are_finite(&slopes.derivatives.entries())
@@ -229,7 +221,7 @@ fn solve_in<F: Float, M: Theory<F>>(
         find_fault(contact, through.creepage, M::MODEL)?;
     }
     if contact.is_lost() {
-        return Ok(Solution::nothing());
+        return Ok(Solution::default());
     }
     let frame = &ScaledContact::new(contact);
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));

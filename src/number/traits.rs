@@ -258,7 +258,7 @@ pub trait Real: Number<Base = Self> + InRegisters {
 }
 
 /// A plain floating-point number, `f32` or `f64`.
-pub trait Float: Real<Stored = Self> + PartialOrd + nalgebra::Scalar {
+pub trait Float: Real<Stored = Self> + PartialOrd + Default + nalgebra::Scalar {
     /// As many contacts side by side as fill a register of 256 bits.
     type Contacts: Real<Stored = Self> + Strips<Self>;
     /// As many as fill one of 512 bits.

@@ -216,7 +216,7 @@ pub fn differentiate_patch<F: Float>(
         solver::patch_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
-        let (derivatives, law) = (Derivatives::nothing(), LawDerivatives::nothing());
+        let (derivatives, law) = (Derivatives::default(), LawDerivatives::default());
         let by_mismatch = [F::zero(); 3];
         return Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch });
     }

@@ -377,7 +377,7 @@ pub(super) fn patch_with_slopes<F: Float>(
     let PatchSums { fx, fy, mz, power, stick, area } = found;
     let jacobian = [fx.gradient, fy.gradient, mz.gradient];
     let mut slopes = Slopes {
-        derivatives: Derivatives { jacobian, ..Derivatives::nothing() },
+        derivatives: Derivatives { jacobian, ..Derivatives::default() },
         by_mismatch: [F::zero(); 3],
         seen: *creepage,
         power_by_creepage: power.gradient,
@@ -394,7 +394,7 @@ pub(super) fn patch_with_slopes<F: Float>(
         let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
         (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
     }
-    let mut of_layer = LayerSlopes::nothing();
+    let mut of_layer = LayerSlopes::default();
     if let Some(PatchLayer { depth, slide }) = behind {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let behind = PatchLayer { depth: Dual::input(depth, 0), slide: Dual::input(slide, 1) };
@@ -425,7 +425,7 @@ pub(super) fn slopes_besides<F: Float>(
     model: Model,
     behind: Option<PatchLayer<F>>,
 ) -> Result<BesidesSlopes<F>, Error> {
-    let mut sums = BesidesSlopes::nothing();
+    let mut sums = BesidesSlopes::default();
     if !patch.has_own() {
         return Ok(sums);
     }

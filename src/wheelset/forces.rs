@@ -36,7 +36,7 @@ pub struct WheelsetForces<F> {
 /// Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
 /// the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetDerivatives<F> {
     /// With respect to the velocities \[N, N m per m/s, rad/s\].
     pub velocity: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
@@ -47,7 +47,7 @@ pub struct WheelsetDerivatives<F> {
 /// Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
 /// constant velocities.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetByPosition<F> {
     /// With respect to the positions \[N, N m per m, rad\]; the columns of forward and pitch are
     /// zero.
@@ -58,25 +58,6 @@ pub struct WheelsetByPosition<F> {
 pub(super) struct RequestedDerivatives<'a, F> {
     pub by_velocity: Option<&'a mut WheelsetDerivatives<F>>,
     pub by_position: Option<&'a mut WheelsetByPosition<F>>,
-}
-
-impl<F: Float> WheelsetDerivatives<F> {
-    /// All zero.
-    #[must_use]
-    pub fn nothing() -> Self {
-        Self {
-            velocity: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
-            friction: [F::zero(); KSTRIP_WHEELSET_FREEDOMS],
-        }
-    }
-}
-
-impl<F: Float> WheelsetByPosition<F> {
-    /// All zero.
-    #[must_use]
-    pub fn nothing() -> Self {
-        Self { position: [[F::zero(); KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS] }
-    }
 }
 
 /// A wheelset on its rails: the right wheel and the left one.
@@ -107,10 +88,10 @@ impl<F: Float> Wheelset<'_, F> {
         let own = velocity.members();
         Error::NotFinite.unless(are_finite(&own))?;
         if let Some(sums) = &mut sums.by_velocity {
-            **sums = WheelsetDerivatives::nothing();
+            **sums = WheelsetDerivatives::default();
         }
         if let Some(sums) = &mut sums.by_position {
-            **sums = WheelsetByPosition::nothing();
+            **sums = WheelsetByPosition::default();
         }
         let zero = F::zero();
         let nothing = Wrench {

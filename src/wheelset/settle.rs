@@ -103,7 +103,7 @@ impl<F: Float> Wheelset<'_, F> {
         let (slow, fast) = (F::of(SLOW_SLIP), speed.abs().times(SLIP));
         let (farthest, quickest) = (F::of(FARTHEST), (slow + fast) / radius);
         let (mut slopes, mut moved) =
-            (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
+            (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let mut rest = [F::zero(); 3];
         'steps: for _ in 0..STEPS {
             let forces = self.solve(&here, &moves, memory, Some(&mut slopes), Some(&mut moved))?;

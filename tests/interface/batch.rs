@@ -373,7 +373,7 @@ macro_rules! derivatives_in_any_company {
                 [x, y, z, d.normal_force, d.load_through_hertz, d.friction]
                     .map(|row| row.map($float::to_bits))
             };
-            let untouched = Derivatives::nothing();
+            let untouched = Derivatives::default();
             let mut random = Random::new(8);
             let mut errors = 0;
             let rounds = (0..12).flat_map(|round| options().map(move |options| (round, options)));

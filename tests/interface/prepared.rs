@@ -110,7 +110,7 @@ fn what_is_not_prepared_is_refused() {
         prepared.assume_init()
     };
     for byte in 0..=255 {
-        let mut out = MaybeUninit::new(kstrip_result::nothing());
+        let mut out = MaybeUninit::new(kstrip_result::default());
         let mut prepared = filled(byte);
         assert_eq!(solve(&prepared, &mut out), KSTRIP_ERROR_NOT_PREPARED);
         for model in 1..=5 {
@@ -135,7 +135,7 @@ fn prepared_for(model: i32) -> kstrip_prepared {
 fn a_mark_tells_the_model() {
     let creepage = kstrip_creepage { longitudinal: 1e-3, lateral: -5e-4, spin: 0.1 };
     let solve = |prepared: &kstrip_prepared| {
-        let mut out = MaybeUninit::new(kstrip_result::nothing());
+        let mut out = MaybeUninit::new(kstrip_result::default());
         kstrip_solve_prepared(Some(prepared), Some(&creepage), Some(&mut out))
     };
     for model in 1..=5 {

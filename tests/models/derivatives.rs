@@ -282,7 +282,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
             }
             assert_eq!(([s.fx, s.fy, s.mz], d.jacobian), ([0.0; 3], [[0.0; 3]; 3]), "{model:?}");
             if load == 0.0 {
-                assert_eq!(d, Derivatives::nothing(), "{model:?}");
+                assert_eq!(d, Derivatives::default(), "{model:?}");
                 continue;
             }
             // The same motion with next to no load or friction

@@ -200,7 +200,7 @@ fn moving(mut stand: Stand, lateral: f64, yaw: f64, forward: f64) -> (Stand, Sta
 fn derivatives_are_those_of_differences() {
     for (mut stand, state) in states().into_iter().chain([on_rollers()]) {
         let (position, velocity, rails) = state.parts();
-        let (mut by, mut moved) = (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
+        let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let (wheelset, memory) = stand.split(rails);
         wheelset.solve(&position, &velocity, memory, Some(&mut by), Some(&mut moved)).unwrap();
         let mut compare = |k: usize, step: f64, is_place: bool, allowed: f64| {
@@ -319,7 +319,7 @@ fn a_coned_wheelset_has_the_wave_of_klingel() {
     for (cone, head) in [(0.01, 0.3), (0.05, 0.3), (0.1, 0.08)] {
         let mut stand = Stand::coned(cone, head);
         let settled = stand.settle(&at(0.0, 0.0), &ROLLS, &LOAD).unwrap();
-        let (mut by, mut moved) = (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
+        let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let (wheelset, memory) = stand.split([NOTHING; 2]);
         let Settled { position, velocity, .. } = settled;
         wheelset.solve(&position, &velocity, memory, Some(&mut by), Some(&mut moved)).unwrap();

@@ -30,6 +30,12 @@ pub enum Precise {
     Kept(usize),
 }
 
+impl Default for Precise {
+    fn default() -> Self {
+        Self::Double(0.0)
+    }
+}
+
 impl Precise {
     /// Forgets every number that is kept: none may be used any more.
     pub fn forget() {

@@ -105,7 +105,7 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(forces)?);
         let (mut slopes, mut moved) =
-            (WheelsetDerivatives::nothing(), WheelsetByPosition::nothing());
+            (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let by = derivatives.is_some().then_some(&mut slopes);
         let places = by_position.is_some().then_some(&mut moved);
         let found = wheelset.solve(position, velocity, memory, by, places)?;
