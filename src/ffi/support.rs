@@ -122,40 +122,6 @@ pub(super) fn given_by<T>(found: &Result<T, Error>) -> Result<&T, Error> {
     found.as_ref().map_err(|error| *error)
 }
 
-/// `ξ, η, ψ`; zero where the contact is lost.
-pub(super) fn parameters_of<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-) -> Result<KalkerParameters<F>, Error> {
-    contact.check()?;
-    creepage.check()?;
-    if contact.is_lost() {
-        return Ok(KalkerParameters { xi: F::zero(), eta: F::zero(), psi: F::zero() });
-    }
-    let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
-    Error::Overflow.unless(are_finite(&[xi, eta, psi]))?;
-    Ok(KalkerParameters { xi, eta, psi })
-}
-
-/// The creepage of `ξ, η, ψ`; zero where the contact is lost.
-pub(super) fn creepage_of<F: Float>(
-    contact: &Contact<F>,
-    parameters: &KalkerParameters<F>,
-) -> Result<Creepage<F>, Error> {
-    contact.check()?;
-    let KalkerParameters { xi, eta, psi } = *parameters;
-    Error::NotFinite.unless(are_finite(&[xi, eta, psi]))?;
-    if contact.is_lost() {
-        let zero = F::zero();
-        return Ok(Creepage { longitudinal: zero, lateral: zero, spin: zero });
-    }
-    let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
-    let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
-    let creepage = parameters.creepage(contact);
-    creepage.check().map_err(|_| Error::Overflow)?;
-    Ok(creepage)
-}
-
 /// A requested output.
 pub(super) type Output<'a, T> = Option<&'a mut MaybeUninit<T>>;
 

@@ -23,7 +23,7 @@ pub struct kstrip_options {
 
 /// Kalker's parameters (5.13) of a contact in motion, dimensionless.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct KalkerParameters<F> {
     /// xi = longitudinal G/(2 (1 - nu) mu p0)
     pub xi: F,

@@ -62,33 +62,33 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
         let room = room as usize;
         Error::Capacity.unless(contacts.is_null() || room <= KSTRIP_CONTACTS_CAPACITY)?;
         // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
-        let one = |i| unsafe {
-            let (pair, position) = (pairs.at(i), positions.at(i));
-            let (velocity, law) = (velocities.at(i), friction.at(i));
-            let status = kstrip_wheel_on_rail(
-                Some(rail),
-                Some(wheel),
-                pair.as_ref(),
-                position.as_ref(),
-                velocity.as_ref(),
-                law.as_ref(),
-                Some(memory),
-                element(wrenches, i),
-                element(derivatives, i),
-                element(by_position, i),
-            );
-            if status >= 0 && !contacts.is_null() {
-                let first = contacts.wrapping_add(i.wrapping_mul(room));
-                let found = memory.contacts.iter_mut().take(room.min(memory.count as usize));
-                for (k, contact) in found.enumerate() {
-                    clear_unused(contact);
-                    first.wrapping_add(k).copy_from_nonoverlapping(contact, 1);
+        unsafe {
+            each_element(count, statuses, |i| {
+                let (pair, position) = (pairs.at(i), positions.at(i));
+                let (velocity, law) = (velocities.at(i), friction.at(i));
+                let status = kstrip_wheel_on_rail(
+                    Some(rail),
+                    Some(wheel),
+                    pair.as_ref(),
+                    position.as_ref(),
+                    velocity.as_ref(),
+                    law.as_ref(),
+                    Some(memory),
+                    element(wrenches, i),
+                    element(derivatives, i),
+                    element(by_position, i),
+                );
+                if status >= 0 && !contacts.is_null() {
+                    let first = contacts.wrapping_add(i.wrapping_mul(room));
+                    let found = memory.contacts.iter_mut().take(room.min(memory.count as usize));
+                    for (k, contact) in found.enumerate() {
+                        clear_unused(contact);
+                        first.wrapping_add(k).copy_from_nonoverlapping(contact, 1);
+                    }
                 }
-            }
-            status
-        };
-        // SAFETY: the same.
-        unsafe { each_element(count, statuses, one) }
+                status
+            })
+        }
     })
 }
 
@@ -140,21 +140,21 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
         let friction = Strided::new(friction, friction_stride, count)?;
         Error::NullPointer.unless(count == 0 || !verticals.is_null())?;
         // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
-        let one = |i| unsafe {
-            kstrip_height_for_load(
-                Some(rail),
-                Some(wheel),
-                pairs.at(i).as_ref(),
-                positions.at(i).as_ref(),
-                supports.at(i).unwrap_or(0.0),
-                velocities.at(i).as_ref(),
-                friction.at(i).as_ref(),
-                Some(memory),
-                element(verticals, i),
-            )
-        };
-        // SAFETY: the same.
-        unsafe { each_element(count, statuses, one) }
+        unsafe {
+            each_element(count, statuses, |i| {
+                kstrip_height_for_load(
+                    Some(rail),
+                    Some(wheel),
+                    pairs.at(i).as_ref(),
+                    positions.at(i).as_ref(),
+                    supports.at(i).unwrap_or(0.0),
+                    velocities.at(i).as_ref(),
+                    friction.at(i).as_ref(),
+                    Some(memory),
+                    element(verticals, i),
+                )
+            })
+        }
     })
 }
 
@@ -190,20 +190,20 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
         Error::NullPointer.unless(count == 0 || !forces.is_null())?;
         // SAFETY: arrays are NULL or valid for count elements at their distances, and the pointers
         // in the structures are NULL or valid, says the header.
-        let one = |i| unsafe {
-            kstrip_wheelset_on_track(
-                Some(set),
-                Some(track),
-                positions.at(i).as_ref(),
-                velocities.at(i).as_ref(),
-                Some(memory),
-                element(forces, i),
-                element(derivatives, i),
-                element(by_position, i),
-            )
-        };
-        // SAFETY: the same.
-        unsafe { each_element(count, statuses, one) }
+        unsafe {
+            each_element(count, statuses, |i| {
+                kstrip_wheelset_on_track(
+                    Some(set),
+                    Some(track),
+                    positions.at(i).as_ref(),
+                    velocities.at(i).as_ref(),
+                    Some(memory),
+                    element(forces, i),
+                    element(derivatives, i),
+                    element(by_position, i),
+                )
+            })
+        }
     })
 }
 
@@ -241,20 +241,20 @@ pub unsafe extern "C" fn kstrip_wheelsets_settle(
         Error::NullPointer.unless(count == 0 || outputs)?;
         // SAFETY: arrays are NULL or valid for count elements at their distances, and the pointers
         // in the structures are NULL or valid, says the header.
-        let one = |i| unsafe {
-            kstrip_wheelset_settle(
-                Some(set),
-                Some(track),
-                starts.at(i).as_ref(),
-                velocities.at(i).as_ref(),
-                loads.at(i).as_ref(),
-                Some(memory),
-                element(positions, i),
-                element(moves, i),
-                element(forces, i),
-            )
-        };
-        // SAFETY: the same.
-        unsafe { each_element(count, statuses, one) }
+        unsafe {
+            each_element(count, statuses, |i| {
+                kstrip_wheelset_settle(
+                    Some(set),
+                    Some(track),
+                    starts.at(i).as_ref(),
+                    velocities.at(i).as_ref(),
+                    loads.at(i).as_ref(),
+                    Some(memory),
+                    element(positions, i),
+                    element(moves, i),
+                    element(forces, i),
+                )
+            })
+        }
     })
 }

@@ -33,7 +33,17 @@ pub extern "C" fn kstrip_parameters_from_creepage(
     creepage: Option<&Creepage<F>>,
     parameters: Option<&mut MaybeUninit<KalkerParameters<F>>>,
 ) -> kstrip_status {
-    fill(parameters, || parameters_of(given(contact)?, given(creepage)?))
+    fill(parameters, || {
+        let (contact, creepage) = (given(contact)?, given(creepage)?);
+        contact.check()?;
+        creepage.check()?;
+        if contact.is_lost() {
+            return Ok(KalkerParameters::default());
+        }
+        let Parameters { xi, eta, psi, .. } = Parameters::new(contact, creepage);
+        Error::Overflow.unless(are_finite(&[xi, eta, psi]))?;
+        Ok(KalkerParameters { xi, eta, psi })
+    })
 }
 
 /// The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
@@ -47,5 +57,17 @@ pub extern "C" fn kstrip_creepage_from_parameters(
     parameters: Option<&KalkerParameters<F>>,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
-    fill(creepage, || creepage_of(given(contact)?, given(parameters)?))
+    fill(creepage, || {
+        let contact = given(contact)?;
+        contact.check()?;
+        let KalkerParameters { xi, eta, psi } = *given(parameters)?;
+        Error::NotFinite.unless(are_finite(&[xi, eta, psi]))?;
+        if contact.is_lost() {
+            return Ok(Creepage::default());
+        }
+        let (poisson_ratio, axis_ratio) = (contact.poisson_ratio, contact.a / contact.b);
+        let found = Parameters { xi, eta, psi, poisson_ratio, axis_ratio }.creepage(contact);
+        found.check().map_err(|_| Error::Overflow)?;
+        Ok(found)
+    })
 }
