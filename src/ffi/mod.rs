@@ -17,23 +17,12 @@
 // The comments are written for the C header: [N] is a unit and [out] a direction there.
 #![allow(rustdoc::broken_intra_doc_links)]
 
-mod arrays;
 mod constants;
 mod support;
 
-#[cfg(feature = "batch")]
-pub mod batch;
 pub mod double;
-pub mod inside;
-#[cfg(feature = "patches")]
-pub mod patch;
 pub mod single;
-pub mod solve;
 pub mod types;
-#[cfg(feature = "wheels")]
-pub mod wheel_rail;
-#[cfg(feature = "wheels")]
-mod wheelset;
 
 pub use self::constants::*;
 pub use crate::status::*;

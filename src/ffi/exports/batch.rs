@@ -1,7 +1,7 @@
 //! Many contacts for C: a pointer and a distance in bytes for each quantity.
 
 use super::F;
-use crate::ffi::batch::*;
+use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 use crate::ffi::support::*;
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
@@ -33,12 +33,128 @@ pub unsafe extern "C" fn kstrip_evaluate_batch(
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL, or valid for count elements at its distances, says the header.
     answer(|| unsafe {
-        Batch {
-            inputs: given(inputs)?,
-            count,
-            outputs: given(outputs)?,
-            options: for_forces(options)?,
-        }
-        .solve(first_bad)
+        let (inputs, outputs, options) = (given(inputs)?, given(outputs)?, &for_forces(options)?);
+        let complete = inputs.required().iter().all(|(first, _)| !first.is_null());
+        Error::NullPointer.unless(count == 0 || complete)?;
+        Error::Stride.unless(count <= 1 || (inputs.strides_fit() && outputs.strides_fit()))?;
+        // Read like the other inputs, without a branch for each contact.
+        let none = 0.0;
+        let mismatch = match inputs.mismatch.is_null() {
+            true => (&raw const none, 0),
+            false => (inputs.mismatch, inputs.mismatch_stride),
+        };
+        let get = |i| inputs.read(i, mismatch);
+        let case = |i| {
+            let (contact, creepage) = get(i);
+            let law = (!inputs.law.is_null()).then(|| read(inputs.law, inputs.law_stride, i));
+            (contact, creepage, law)
+        };
+        let number = count as usize;
+        let solved = if !(outputs.derivatives.is_null() && outputs.law_derivatives.is_null()) {
+            differentiate_batch(number, options, case, |i, found| {
+                outputs.put(i, found.solution, || found.friction);
+                write(outputs.derivatives, outputs.derivatives_stride, i, || *found.derivatives);
+                write(outputs.law_derivatives, outputs.law_derivatives_stride, i, || found.law());
+            })
+        } else if !inputs.law.is_null() {
+            solve_under_friction(number, options, case, |i, found| {
+                outputs.put(i, &found.solution, || found.friction);
+            })
+        } else {
+            let own = |i| read(inputs.friction, inputs.friction_stride, i);
+            solve_batch(number, options, get, |i, solution| outputs.put(i, &solution, || own(i)))
+        };
+        put(first_bad, solved.err().map_or(count, |(i, _)| i as u32));
+        solved.map_err(|(_, error)| error)
     })
+}
+
+/// # Safety
+/// `first` is NULL, or valid for writing at this index.
+unsafe fn write<T>(first: *mut T, stride: isize, i: usize, value: impl FnOnce() -> T) {
+    if !first.is_null() {
+        // SAFETY: the caller's promise.
+        unsafe { first.byte_offset(stride.wrapping_mul(i as isize)).write(value()) };
+    }
+}
+
+/// Whether outputs at this distance do not overlap, if they are requested.
+fn lie_apart<T>(first: *mut T, stride: isize) -> bool {
+    first.is_null() || (stride.unsigned_abs() >= size_of::<T>() && is_aligned(first, stride))
+}
+
+impl BatchInputs<F> {
+    /// The numbers that are required, each with its stride.
+    fn required(&self) -> [(*const F, isize); 9] {
+        [
+            (self.a, self.a_stride),
+            (self.b, self.b_stride),
+            (self.normal_force, self.normal_force_stride),
+            (self.shear_modulus, self.shear_modulus_stride),
+            (self.poisson_ratio, self.poisson_ratio_stride),
+            (self.friction, self.friction_stride),
+            (self.longitudinal, self.longitudinal_stride),
+            (self.lateral, self.lateral_stride),
+            (self.spin, self.spin_stride),
+        ]
+    }
+
+    /// # Safety
+    /// All required inputs and the mismatch, a place and its stride, are valid at this index.
+    unsafe fn read(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
+        // SAFETY: the caller's promise.
+        unsafe {
+            let contact = Contact {
+                a: read(self.a, self.a_stride, i),
+                b: read(self.b, self.b_stride, i),
+                normal_force: read(self.normal_force, self.normal_force_stride, i),
+                shear_modulus: read(self.shear_modulus, self.shear_modulus_stride, i),
+                poisson_ratio: read(self.poisson_ratio, self.poisson_ratio_stride, i),
+                friction: read(self.friction, self.friction_stride, i),
+                mismatch: read(mismatch.0, mismatch.1, i),
+            };
+            let creepage = Creepage {
+                longitudinal: read(self.longitudinal, self.longitudinal_stride, i),
+                lateral: read(self.lateral, self.lateral_stride, i),
+                spin: read(self.spin, self.spin_stride, i),
+            };
+            (contact, creepage)
+        }
+    }
+
+    fn strides_fit(&self) -> bool {
+        self.required().into_iter().all(|(first, stride)| is_aligned(first, stride))
+            && (self.mismatch.is_null() || is_aligned(self.mismatch, self.mismatch_stride))
+            && (self.law.is_null() || is_aligned(self.law, self.law_stride))
+    }
+}
+
+impl BatchOutputs<F> {
+    fn strides_fit(&self) -> bool {
+        lie_apart(self.fx, self.fx_stride)
+            && lie_apart(self.fy, self.fy_stride)
+            && lie_apart(self.mz, self.mz_stride)
+            && lie_apart(self.power, self.power_stride)
+            && lie_apart(self.adhesion, self.adhesion_stride)
+            && lie_apart(self.status_detail, self.status_detail_stride)
+            && lie_apart(self.friction, self.friction_stride)
+            && lie_apart(self.derivatives, self.derivatives_stride)
+            && lie_apart(self.law_derivatives, self.law_derivatives_stride)
+    }
+
+    /// # Safety
+    /// All outputs are NULL or valid at this index.
+    unsafe fn put(&self, i: usize, solution: &Solution<F>, friction: impl FnOnce() -> F) {
+        let Solution { fx, fy, mz, power, adhesion, warning, .. } = *solution;
+        // SAFETY: the caller's promise.
+        unsafe {
+            write(self.fx, self.fx_stride, i, || fx);
+            write(self.fy, self.fy_stride, i, || fy);
+            write(self.mz, self.mz_stride, i, || mz);
+            write(self.power, self.power_stride, i, || power);
+            write(self.adhesion, self.adhesion_stride, i, || adhesion);
+            write(self.status_detail, self.status_detail_stride, i, || warning.code());
+            write(self.friction, self.friction_stride, i, friction);
+        }
+    }
 }

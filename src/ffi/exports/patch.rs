@@ -1,12 +1,12 @@
 //! Patches: contacts of any shape, given by their strips.
 
 use super::F;
-use crate::ffi::inside::write_grid;
-use crate::ffi::patch::*;
+use super::inside::write_grid;
 use crate::ffi::support::*;
 use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::{Profile, ProfileContact};
-use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView, QuadratureScale, check_ellipse, ellipse};
+use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
+use crate::patch::{check_ellipse, ellipse};
 use heapless::Vec;
 
 /// The patch of two profiles under a load, or at an approach.
@@ -61,7 +61,8 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
         let mut list = Vec::<_, CELLS>::new();
         let mut cells = Cells { list: list.as_mut_view() };
         let mut found = Indentation::new(&profile, contact, strip_count(strips)?, &mut cells)?;
-        of_cells(contact, &cells, &mut found, patch)?;
+        // One strip for each cell in contact.
+        write_patch(|| Patch::<_, CELLS>::of_cells(contact, &cells, &mut found), patch)?;
         put(result, found);
         Ok(found.warning)
     })
@@ -96,7 +97,10 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
         Error::PatchSize.unless(strips.len() <= KSTRIP_PATCH_CAPACITY)?;
         match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
             Ok(view) => StoredPatch::write(&view, patch),
-            Err(Error::StripOrder) => sorted(strips, shear_modulus, poisson_ratio, patch)?,
+            Err(Error::StripOrder) => {
+                type Sorted = Patch<F, KSTRIP_PATCH_CAPACITY>;
+                write_patch(|| Sorted::from_strips(strips, shear_modulus, poisson_ratio), patch)?;
+            }
             Err(error) => return Err(error),
         }
         Ok(Warning::None)
@@ -273,4 +277,81 @@ pub unsafe extern "C" fn kstrip_patch_field(
         write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
         Ok(field.warning)
     })
+}
+
+impl StoredPatch<F> {
+    /// A patch without strips, written in place because it is large.
+    fn write_empty(
+        out: &mut MaybeUninit<Self>,
+        shear_modulus: F,
+        poisson_ratio: F,
+        scale: QuadratureScale<F>,
+    ) -> &mut Self {
+        // SAFETY: all bits zero are a structure of numbers.
+        let patch = unsafe {
+            out.as_mut_ptr().write_bytes(0, 1);
+            out.assume_init_mut()
+        };
+        (patch.shear_modulus, patch.poisson_ratio) = (shear_modulus, poisson_ratio);
+        (patch.area_scale, patch.lever_scale) = (scale.area, scale.lever);
+        patch
+    }
+
+    fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
+        let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
+        let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.quadrature());
+        for strip in view.strips() {
+            patch.push(*strip);
+        }
+    }
+}
+
+/// Writes a patch that has a copy on the stack, out of line, so that it takes room there only then.
+#[inline(never)]
+fn write_patch<const CAPACITY: usize>(
+    make: impl FnOnce() -> Result<Patch<F, CAPACITY>, Error>,
+    out: &mut MaybeUninit<StoredPatch<F>>,
+) -> Result<(), Error> {
+    StoredPatch::write(&make()?.view()?, out);
+    Ok(())
+}
+
+/// # Safety
+/// Every pointer of the outputs is NULL, or valid and aligned for one write, that of the strips for
+/// `capacity`; no two overlap.
+unsafe fn evaluate_patch(
+    patch: &StoredPatch<F>,
+    (creepage, own): (&Creepage<F>, &[Creepage<F>]),
+    law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>,
+    outputs: &Outputs<F>,
+) -> Result<Warning, Error> {
+    let model = for_strips(options)?.model;
+    let mut view = patch.view()?;
+    if !own.is_empty() {
+        view = view.with_own_creepages(own)?;
+    }
+    let differentiated;
+    let (solution, share, slopes) = if outputs.differentiates() {
+        differentiated = patch::friction::differentiate_patch(&view, creepage, law, model)?;
+        let found = &differentiated;
+        (found.solution, found.friction, Some((&found.derivatives, &found.law)))
+    } else if let Some(law) = law {
+        let found = patch::friction::solve_patch_with_law(&view, creepage, law, model)?;
+        (found.solution, found.share, None)
+    } else {
+        (solver::solve_patch(&view, creepage, model)?, 1.0, None)
+    };
+    // SAFETY: the caller's promise.
+    unsafe {
+        if !outputs.strips.is_null() {
+            outputs.write_strips(view.strips().len(), |mut visit| {
+                patch::friction::patch_strips_with_law(
+                    &view, creepage, law, share, model, &mut visit,
+                )
+            })?;
+        }
+        outputs.write(&solution, share, slopes);
+    }
+    Ok(solution.warning)
 }

@@ -2,7 +2,8 @@
 
 use super::F;
 use crate::ffi::support::*;
-use crate::ffi::wheel_rail::*;
+use crate::wheel_rail::scene::Scene;
+use crate::wheel_rail::wrench::Law;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
 ///
@@ -268,4 +269,22 @@ pub extern "C" fn kstrip_height_for_load(
         out.write(found);
         Ok(warning)
     })
+}
+
+pub(super) fn scene_of<'a>(
+    rail: Option<&'a Surface<F>>,
+    wheel: Option<&'a Surface<F>>,
+    pair: Option<&'a WheelPair<F>>,
+    friction: Option<&'a SlipFriction<F>>,
+) -> Result<Scene<'a, F>, Error> {
+    let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);
+    let (strips, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);
+    Ok(Scene { rail, wheel, pair, strips, law })
+}
+
+fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<Law<'_, F>, Error> {
+    let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
+    Error::NotInModel.unless(model != Model::Linear)?;
+    falling.map_or(Ok(()), SlipFriction::check)?;
+    Ok(Law { model, falling })
 }

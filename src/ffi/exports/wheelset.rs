@@ -1,10 +1,15 @@
 //! The wheelset: two wheels on two rails.
 
 use super::F;
+use super::wheel_rail::scene_of;
 use crate::ffi::support::*;
-use crate::ffi::wheelset::Sides;
 use crate::wheelset::conicity::RadiusDifference;
-use crate::wheelset::track;
+use crate::wheelset::forces::Wheelset;
+use crate::wheelset::kinematics::Side;
+use crate::wheelset::track::{RailMotion, gauge_face};
+
+/// From the back of a flange to the running circle of its wheel \[m\].
+const CIRCLE_FROM_BACK: F = 70e-3;
 
 /// The gauge face of a rail: the least y of its profile down to a depth below its top. kstrip_track
 /// uses it to find the rail's origin, which lies half the gauge minus this y from the middle of the
@@ -24,7 +29,7 @@ pub extern "C" fn kstrip_gauge_face(
 ) -> kstrip_status {
     answer(|| {
         let place = given(face)?;
-        let (found, warning) = track::gauge_face(given(rail)?, depth)?;
+        let (found, warning) = gauge_face(given(rail)?, depth)?;
         place.write(found);
         Ok(warning)
     })
@@ -98,22 +103,21 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
     by_position: Option<&mut MaybeUninit<WheelsetByPosition<F>>>,
 ) -> kstrip_status {
     // SAFETY: the pointers in the structures are NULL or valid, says the header.
-    let sides = unsafe { Sides::new(set, track) };
-    answer(|| {
-        let sides = sides?;
-        let (wheelset, of_rails) = sides.wheelset()?;
-        let (position, velocity) = (given(position)?, given(velocity)?);
-        let (memory, out) = (given(workspace)?, given(forces)?);
-        let (mut slopes, mut moved) =
-            (WheelsetDerivatives::default(), WheelsetByPosition::default());
-        let by = derivatives.is_some().then_some(&mut slopes);
-        let places = by_position.is_some().then_some(&mut moved);
-        let found = wheelset.solve(position, velocity, memory, by, places)?;
-        put(derivatives, slopes);
-        put(by_position, moved);
-        out.write(found);
-        Ok(found.wrench.warning.worse(of_rails))
-    })
+    unsafe {
+        on_track(set, track, |wheelset| {
+            let (position, velocity) = (given(position)?, given(velocity)?);
+            let (memory, out) = (given(workspace)?, given(forces)?);
+            let (mut slopes, mut moved) =
+                (WheelsetDerivatives::default(), WheelsetByPosition::default());
+            let by = derivatives.is_some().then_some(&mut slopes);
+            let places = by_position.is_some().then_some(&mut moved);
+            let found = wheelset.solve(position, velocity, memory, by, places)?;
+            put(derivatives, slopes);
+            put(by_position, moved);
+            out.write(found);
+            Ok(found.wrench.warning)
+        })
+    }
 }
 
 /// A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
@@ -145,18 +149,17 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
     forces: Option<&mut MaybeUninit<WheelsetForces<F>>>,
 ) -> kstrip_status {
     // SAFETY: the pointers in the structures are NULL or valid, says the header.
-    let sides = unsafe { Sides::new(set, track) };
-    answer(|| {
-        let sides = sides?;
-        let (wheelset, of_rails) = sides.wheelset()?;
-        let (start, velocity, loads) = (given(start)?, given(velocity)?, given(loads)?);
-        let (memory, position, moves) = (given(workspace)?, given(position)?, given(moves)?);
-        let found = wheelset.settle(start, velocity, loads, memory)?;
-        position.write(found.position);
-        moves.write(found.velocity);
-        put(forces, found.forces);
-        Ok(found.warning.worse(of_rails))
-    })
+    unsafe {
+        on_track(set, track, |wheelset| {
+            let (start, velocity, loads) = (given(start)?, given(velocity)?, given(loads)?);
+            let (memory, position, moves) = (given(workspace)?, given(position)?, given(moves)?);
+            let found = wheelset.settle(start, velocity, loads, memory)?;
+            position.write(found.position);
+            moves.write(found.velocity);
+            put(forces, found.forces);
+            Ok(found.warning)
+        })
+    }
 }
 
 /// The difference of the rolling radii, right minus left, against the lateral shift of a rigid
@@ -183,18 +186,21 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
 ) -> kstrip_status {
     // SAFETY: the pointers in the structures are NULL or valid, arrays have count elements, says
     // the header.
-    let (sides, shifts, differences) =
-        unsafe { (Sides::new(set, track), input(shifts, count), output(differences, count)) };
-    answer(|| {
-        let (sides, shifts, differences) = (sides?, shifts?, differences?);
-        let (wheelset, warning) = sides.wheelset()?;
-        let memory = given(workspace)?;
-        Error::NotFinite.unless(are_finite(shifts))?;
-        for (shift, difference) in shifts.iter().zip(differences) {
-            difference.write(wheelset.rolling_radius_difference(*shift, with_roll != 0, memory)?);
-        }
-        Ok(warning)
-    })
+    unsafe {
+        on_track(set, track, |wheelset| {
+            let (shifts, differences) = (input(shifts, count)?, output(differences, count)?);
+            let memory = given(workspace)?;
+            Error::NotFinite.unless(are_finite(shifts))?;
+            for (shift, difference) in shifts.iter().zip(differences) {
+                difference.write(wheelset.rolling_radius_difference(
+                    *shift,
+                    with_roll != 0,
+                    memory,
+                )?);
+            }
+            Ok(Warning::None)
+        })
+    }
 }
 
 /// Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same
@@ -252,4 +258,75 @@ pub unsafe extern "C" fn kstrip_equivalent_conicity(
         }
         Ok(Warning::None)
     })
+}
+
+/// Calls a function with the checked wheelset on its rails. A rail may warn that it ends above the
+/// depth at which its gauge is measured.
+///
+/// # Safety
+/// The pointers in both structures are NULL or valid.
+unsafe fn on_track(
+    set: Option<&WheelsetParts<F>>,
+    track: Option<&Track<F>>,
+    solve: impl FnOnce(&Wheelset<'_, F>) -> Result<Warning, Error>,
+) -> kstrip_status {
+    answer(|| {
+        let (set, track) = (given(set)?, given(track)?);
+        // SAFETY: the promise of this function.
+        let ([rail, other_rail], [wheel, other_wheel], [law, other_law]) = unsafe {
+            let both = |[right, left]: [*const Surface<F>; 2]| {
+                let right = given(right.as_ref())?;
+                Ok([right, left.as_ref().unwrap_or(right)])
+            };
+            (both(track.rail)?, both(set.wheel)?, set.friction.map(|law| law.as_ref()))
+        };
+        let [right, left] = set.pair;
+        let left = if left.wheel_radius == 0.0 { right } else { left };
+        let (right, left) = (WheelPair { left: 0, ..right }, WheelPair { left: 1, ..left });
+        right.check()?;
+        left.check()?;
+        track.motion.iter().try_for_each(RailMotion::check)?;
+        let arm = half_distance(set)?;
+        let [motion, other_motion] = track.motion;
+        let ([place, other_place], excess) =
+            (track.origin, 0.5 * (right.wheel_radius - left.wheel_radius));
+        let (origin, of_rail) = origin_of(track, place, rail)?;
+        let (other_origin, of_other) = origin_of(track, other_place, other_rail)?;
+        let sides = [
+            Side { arm, origin, excess, rail: 6, motion },
+            Side {
+                arm: -arm,
+                origin: -other_origin,
+                excess: -excess,
+                rail: 8,
+                motion: other_motion,
+            },
+        ];
+        let scenes = [
+            scene_of(Some(rail), Some(wheel), Some(&right), law)?,
+            scene_of(Some(other_rail), Some(other_wheel), Some(&left), other_law)?,
+        ];
+        Ok(solve(&Wheelset { scenes, sides })?.worse(of_rail.worse(of_other)))
+    })
+}
+
+/// Half the distance of the running circles.
+fn half_distance(set: &WheelsetParts<F>) -> Result<F, Error> {
+    let WheelsetParts { back_to_back, running_circles, .. } = *set;
+    Error::NotFinite.unless(are_finite(&[back_to_back, running_circles]))?;
+    let known = running_circles > 0.0 && back_to_back >= 0.0;
+    let from_backs = running_circles == 0.0 && back_to_back > 0.0;
+    Error::Gauge.unless(known || from_backs)?;
+    Ok(if known { 0.5 * running_circles } else { 0.5 * back_to_back + CIRCLE_FROM_BACK })
+}
+
+/// The distance of a rail's origin from the middle of the track.
+fn origin_of(track: &Track<F>, given: F, rail: &Surface<F>) -> Result<(F, Warning), Error> {
+    Error::NotFinite.unless(are_finite(&[track.gauge, given]))?;
+    if given > 0.0 {
+        return Ok((given, Warning::None));
+    }
+    Error::Gauge.unless(given == 0.0 && track.gauge > 0.0)?;
+    let (face, warning) = gauge_face(rail, track.gauge_depth)?;
+    Ok((0.5 * track.gauge - face, warning))
 }
