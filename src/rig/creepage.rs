@@ -60,6 +60,9 @@ const TAKEN: f64 = 1e4;
 /// The creepage `(υx, υy)` at which a contact with a given spin carries a requested force
 /// `(F_x, F_y)` on the lower body.
 ///
+/// Under a law the contact's own coefficient of friction is ignored. Where friction falls with the
+/// slip, a force that is too large is not reached: [`Warning::NotConverged`].
+///
 /// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it
 /// comes as near as that, and larger creepages do as well.
 ///
@@ -70,7 +73,8 @@ const TAKEN: f64 = 1e4;
 /// and the result is one of them.
 ///
 /// # Errors
-/// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::ForceBeyondFriction`].
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::ForceBeyondFriction`],
+/// and those of [`SlipFriction::check`].
 ///
 /// # Example
 /// ```
@@ -82,27 +86,12 @@ const TAKEN: f64 = 1e4;
 ///     mismatch: 0.0,
 /// };
 /// let options = Options::default();
-/// let (creepage, _) = creepage_for_force(&contact, [15e3, -2e3], 0.1_f64, &options)?;
+/// let (creepage, _) = creepage_for_force(&contact, [15e3, -2e3], 0.1_f64, None, &options)?;
 /// let forces = forces_of_contact(&contact, &creepage, &options)?;
 /// assert!((forces.fx - 15e3).abs() < 1e-6 && (forces.fy + 2e3).abs() < 1e-6);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn creepage_for_force<F: Float>(
-    contact: &Contact<F>,
-    force: [F; 2],
-    spin: F,
-    options: &Options,
-) -> Result<(Creepage<F>, Warning), Error> {
-    creepage_for_force_under(contact, force, spin, None, options)
-}
-
-/// [`creepage_for_force`] under a law; the contact's own coefficient of friction is then ignored.
-/// Where friction falls with the slip, a force that is too large is not reached:
-/// [`Warning::NotConverged`].
-///
-/// # Errors
-/// Those of [`creepage_for_force`] and [`SlipFriction::check`].
-pub fn creepage_for_force_under<F: Float>(
     contact: &Contact<F>,
     force: [F; 2],
     spin: F,

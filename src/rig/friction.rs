@@ -37,7 +37,8 @@ const ROUNDINGS: f64 = 32.0;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// The contact's own friction is ignored. Forces act on the lower body.
+/// The contact's own friction is ignored. Forces act on the lower body. Under a law the result is
+/// the coefficient of friction without slip, and the law's own coefficient is ignored.
 ///
 /// With [`Warning::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its
 /// friction, or the force is larger than that of linear theory): the result is the used friction
@@ -52,7 +53,7 @@ const ROUNDINGS: f64 = 32.0;
 ///
 /// # Errors
 /// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::NotInModel`] for
-/// [`Model::Linear`], [`Error::Unexplained`].
+/// [`Model::Linear`], [`Error::Unexplained`], and those of [`SlipFriction::check`].
 ///
 /// # Example
 /// ```
@@ -66,26 +67,12 @@ const ROUNDINGS: f64 = 32.0;
 /// let creepage = Creepage { longitudinal: 2e-3, lateral: 0.0, spin: 0.1 };
 /// let options = Options::default();
 /// let measured = forces_of_contact(&contact, &creepage, &options)?.fx;
-/// let found = estimate_friction(&contact, &creepage, &options, Measured::Fx, [measured, 0.0])?;
+/// let force = [measured, 0.0];
+/// let found = estimate_friction(&contact, &creepage, None, &options, Measured::Fx, force)?;
 /// assert!((found.friction - 0.22_f64).abs() < 1e-12);
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn estimate_friction<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    measured: Measured,
-    force: [F; 2],
-) -> Result<FrictionEstimate<F>, Error> {
-    Rig::new(contact, creepage, None, options, measured, force)?.estimate(force)
-}
-
-/// [`estimate_friction`] under a law: the coefficient of friction without slip. The law's own
-/// coefficient is ignored.
-///
-/// # Errors
-/// Those of [`estimate_friction`] and [`SlipFriction::check`].
-pub fn estimate_friction_under<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
     law: Option<&SlipFriction<F>>,

@@ -17,8 +17,8 @@ pub mod fit;
 pub(crate) mod friction;
 mod search;
 
-pub use self::creepage::{creepage_for_force, creepage_for_force_under};
-pub use self::friction::{estimate_friction, estimate_friction_under};
+pub use self::creepage::creepage_for_force;
+pub use self::friction::estimate_friction;
 
 use crate::number::{Real, length};
 use crate::status::Warning;

@@ -376,11 +376,11 @@ impl<F: Bits> Case<'_, F> {
             1 => (Measured::Fy, [zero, fy]),
             _ => (Measured::Both, [fx, fy]),
         };
-        let found = estimate_friction(contact, creepage, options, measured, force);
+        let found = estimate_friction(contact, creepage, None, options, measured, force);
         if let Some(found) = hash.status(found.map(|found| (found, found.warning))) {
             hash.add(&[found.friction, found.sensitivity, found.residual]);
         }
-        let found = creepage_for_force(contact, [fx, fy], creepage.spin, options);
+        let found = creepage_for_force(contact, [fx, fy], creepage.spin, None, options);
         if let Some(motion) = hash.status(found) {
             hash.add(&[motion.longitudinal, motion.lateral, motion.spin]);
         }

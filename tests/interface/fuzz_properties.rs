@@ -302,7 +302,8 @@ fn derivatives_at_the_ends_of_the_range() {
     // a sensitivity that is no number is none
     let light = [6e-3, 5e-3, 1.1754944e-38, f32::MAX, 0.28, 0.3, 2.3e-3, 0.146, -0.124, 0.0];
     let (light, motion) = problem(light);
-    let found = estimate_friction(&light, &motion, &Options::default(), Measured::Fx, [0.0; 2]);
+    let found =
+        estimate_friction(&light, &motion, None, &Options::default(), Measured::Fx, [0.0; 2]);
     assert!(found.unwrap().sensitivity.is_finite());
 }
 

@@ -8,7 +8,7 @@ use kstrip::forces::{Model, Options};
 use kstrip::friction::{self, SlipFriction};
 use kstrip::linear::LinearCoefficients;
 use kstrip::rig::fit::{FrictionFit, MeasuredForce, fit_friction};
-use kstrip::rig::{Measured, creepage_for_force_under, estimate_friction_under};
+use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
 use kstrip::status::{Error, Warning};
 use std::path::Path;
 
@@ -380,7 +380,7 @@ fn friction_is_estimated_under_the_law() {
         let m = Creepage { spin, ..along(creepage) };
         let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
         let other = SlipFriction { friction: f64::from(n as u32 % 7) * 0.1, ..law };
-        let found = estimate_friction_under(
+        let found = estimate_friction(
             &LOCOMOTIVE,
             &m,
             Some(&other),
@@ -395,7 +395,7 @@ fn friction_is_estimated_under_the_law() {
         }
         assert!((found.friction / 0.33 - 1.0).abs() < 1e-8, "{law:?} {m:?} {found:?}");
         let (back, warning) =
-            creepage_for_force_under(&LOCOMOTIVE, [made.fx, made.fy], spin, Some(&law), &total())
+            creepage_for_force(&LOCOMOTIVE, [made.fx, made.fy], spin, Some(&law), &total())
                 .unwrap();
         let again = friction::solve_with_law(&LOCOMOTIVE, &back, &law, &total()).unwrap().solution;
         if warning == Warning::None {
@@ -421,7 +421,7 @@ fn a_slope_factor_is_not_taken_for_low_friction() {
         let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
         let estimate = |law: Option<&SlipFriction<f64>>| {
             let force = [made.fx, 0.0];
-            estimate_friction_under(&LOCOMOTIVE, &m, law, &total(), Measured::Fx, force).unwrap()
+            estimate_friction(&LOCOMOTIVE, &m, law, &total(), Measured::Fx, force).unwrap()
         };
         let [under, without] = [estimate(Some(&other)), estimate(None)];
         assert_eq!((under.warning, without.warning), (Warning::None, Warning::None));

@@ -56,7 +56,7 @@ fn friction_is_found_again() {
             if used < clear * bound || size * xi.hypot(eta) < 0.1 {
                 continue;
             }
-            let e = estimate_friction(&forgotten, &m, &o, measured, [s.fx, s.fy]).unwrap();
+            let e = estimate_friction(&forgotten, &m, None, &o, measured, [s.fx, s.fy]).unwrap();
             if e.warning == Warning::SeveralFrictions {
                 several += 1;
                 assert!(e.friction <= c.friction * (1.0 + 1e-9), "{e:?} {c:?} {m:?} {o:?}");
@@ -94,7 +94,8 @@ fn sensitivity_is_the_derivative() {
         let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         for measured in [Measured::Fx, Measured::Both] {
             let at = |factor: f64| {
-                estimate_friction(&c, &m, &o, measured, [s.fx * factor, s.fy * factor]).unwrap()
+                estimate_friction(&c, &m, None, &o, measured, [s.fx * factor, s.fy * factor])
+                    .unwrap()
             };
             let h = 1e-5;
             let force = if measured == Measured::Fx { s.fx } else { s.fx.hypot(s.fy) };
@@ -111,7 +112,9 @@ fn sensitivity_is_the_derivative() {
 fn what_the_force_does_not_tell_is_said() {
     let c = contact(1.0, 0.28);
     for o in (0..4).map(any_options) {
-        let at = |m: &Creepage<f64>, fx: f64| estimate_friction(&c, m, &o, Measured::Fx, [fx, 0.0]);
+        let at = |m: &Creepage<f64>, fx: f64| {
+            estimate_friction(&c, m, None, &o, Measured::Fx, [fx, 0.0])
+        };
         let small = theory::creepage(&c, 1e-3, 0.0, 0.0);
         let s = forces::forces_of_contact(&c, &small, &o).unwrap();
         let e = at(&small, s.fx).unwrap();
@@ -137,13 +140,13 @@ fn what_the_force_does_not_tell_is_said() {
         // Against the slip
         assert_eq!(at(&large, -1000.0), Err(Error::Unexplained));
         let unloaded = Contact { normal_force: 0.0, ..c };
-        let e = estimate_friction(&unloaded, &large, &o, Measured::Both, [1.0, 0.0]);
+        let e = estimate_friction(&unloaded, &large, None, &o, Measured::Both, [1.0, 0.0]);
         assert_eq!(e, Err(Error::Unexplained));
     }
     let m = theory::creepage(&c, 0.5, 0.0, 0.0);
     let linear = options(Model::Linear, StripCount::Sixteen);
     assert_eq!(
-        estimate_friction(&c, &m, &linear, Measured::Fx, [1.0, 0.0]),
+        estimate_friction(&c, &m, None, &linear, Measured::Fx, [1.0, 0.0]),
         Err(Error::NotInModel)
     );
 }
@@ -161,7 +164,7 @@ fn creepage_is_found_again() {
         let o = any_options(n);
         let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;
-        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, None, &o).unwrap();
         let again = forces::forces_of_contact(&c, &got, &o).unwrap();
         let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
         match warning {
@@ -198,7 +201,7 @@ fn linear_theory_is_inverted() {
     for (fx, fy, warning) in
         [(0.3, -0.2, Warning::None), (0.0, 0.0, Warning::None), (3.0, 1.0, Warning::BeyondFriction)]
     {
-        let (got, told) = creepage_for_force(&c, [fx * bound, fy * bound], 0.2, &o).unwrap();
+        let (got, told) = creepage_for_force(&c, [fx * bound, fy * bound], 0.2, None, &o).unwrap();
         let s = forces::forces_of_contact(&c, &got, &o).unwrap();
         assert!((s.fx / bound - fx).abs() < 1e-12 && (s.fy / bound - fy).abs() < 1e-12);
         assert_eq!(told, warning);
@@ -211,7 +214,7 @@ fn forces_out_of_reach_are_refused() {
     let c = contact(1.0, 0.28);
     let bound = c.friction * c.normal_force;
     for o in (0..4).map(any_options) {
-        let at = |c: &Contact<f64>, fx: f64| creepage_for_force(c, [fx, 0.0], 0.1, &o);
+        let at = |c: &Contact<f64>, fx: f64| creepage_for_force(c, [fx, 0.0], 0.1, None, &o);
         assert_eq!(at(&c, 1.001 * bound), Err(Error::ForceBeyondFriction));
         assert_eq!(at(&c, f64::NAN), Err(Error::NotFinite));
         assert_eq!(at(&c, bound).unwrap().1, Warning::CreepageAtLeast);
@@ -237,7 +240,7 @@ fn single_precision_round_trips() {
         let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let bound = c.friction * c.normal_force;
         if s.fx.hypot(s.fy) > 0.1 * bound && size * xi.hypot(eta) > 0.2 {
-            let e = estimate_friction(&c, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap();
+            let e = estimate_friction(&c, &m, None, &o, Measured::Both, [s.fx, s.fy]).unwrap();
             if e.warning == Warning::SeveralFrictions {
                 continue;
             }
@@ -246,7 +249,7 @@ fn single_precision_round_trips() {
             assert!((e.friction - c.friction).abs() < allowed, "{e:?} {c:?} {m:?} {o:?}");
             frictions += 1;
         }
-        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, &o).unwrap();
+        let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, None, &o).unwrap();
         if warning == Warning::NotConverged {
             lost += 1;
             continue;
@@ -269,7 +272,7 @@ fn own_friction_is_ignored() {
         let s = forces::forces_of_contact(&c, &m, &o).unwrap();
         let at = |friction: f64| {
             let contact = Contact { friction, ..c };
-            estimate_friction(&contact, &m, &o, Measured::Both, [s.fx, s.fy]).unwrap()
+            estimate_friction(&contact, &m, None, &o, Measured::Both, [s.fx, s.fy]).unwrap()
         };
         let expected = at(0.0);
         assert!((expected.friction / c.friction - 1.0).abs() < 1e-10);
@@ -297,7 +300,7 @@ fn the_smallest_friction_is_found() {
         let force = |friction: f64| {
             forces::forces_of_contact(&Contact { friction, ..c }, &m, &o).unwrap().fy
         };
-        let e = estimate_friction(&c, &m, &o, Measured::Fy, [0.0, s.fy]).unwrap();
+        let e = estimate_friction(&c, &m, None, &o, Measured::Fy, [0.0, s.fy]).unwrap();
         if e.warning == Warning::FrictionAtLeast {
             continue;
         }
@@ -325,7 +328,7 @@ fn a_huge_force_of_the_wrong_sign_is_unexplained() {
     for model in SATURATING {
         let o = options(model, StripCount::Sixteen);
         let sign = forces::forces_of_contact(&c, &m, &o).unwrap().fx.signum();
-        let estimate = |fx: f64| estimate_friction(&c, &m, &o, Measured::Fx, [fx, 0.0]);
+        let estimate = |fx: f64| estimate_friction(&c, &m, None, &o, Measured::Fx, [fx, 0.0]);
         assert_eq!(estimate(sign * force).unwrap().warning, Warning::FrictionAtLeast);
         assert_eq!(estimate(-sign * force).err(), Some(Error::Unexplained), "{model:?}");
     }

@@ -118,7 +118,8 @@ fn close_frictions_are_told() {
     };
     let o = options(Model::Total);
     let force = forces::forces_of_contact(&total, &motion, &o).unwrap();
-    let found = estimate_friction(&total, &motion, &o, Measured::Fy, [0.0, force.fy]).unwrap();
+    let found =
+        estimate_friction(&total, &motion, None, &o, Measured::Fy, [0.0, force.fy]).unwrap();
     assert_eq!(found.warning, Warning::SeveralFrictions);
     assert!(found.friction < 0.5 * total.friction, "{found:?}");
     let less = Contact { friction: found.friction, ..total };
@@ -133,7 +134,8 @@ fn close_frictions_are_told() {
         ..total
     };
     let slow = Creepage { spin: motion.spin / 1e3, ..motion };
-    let found = estimate_friction(&large, &slow, &o, Measured::Fy, [0.0, force.fy * 1e6]).unwrap();
+    let found =
+        estimate_friction(&large, &slow, None, &o, Measured::Fy, [0.0, force.fy * 1e6]).unwrap();
     assert_eq!(found.warning, Warning::SeveralFrictions);
 
     let strip = Contact {
@@ -152,7 +154,8 @@ fn close_frictions_are_told() {
     };
     let o = options(Model::Strip);
     let force = forces::forces_of_contact(&strip, &motion, &o).unwrap();
-    let found = estimate_friction(&strip, &motion, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
+    let found =
+        estimate_friction(&strip, &motion, None, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
     assert_eq!(found.warning, Warning::SeveralFrictions);
     assert!(found.friction < strip.friction * (1.0 + 1e-9), "{found:?}");
 }

@@ -57,8 +57,7 @@ pub extern "C" fn kstrip_estimate_friction(
             BOTH => (Measured::Both, [fx, fy]),
             _ => return Err(Error::Measured),
         };
-        let found =
-            rig::estimate_friction_under(contact, creepage, friction, &options, measured, force)?;
+        let found = rig::estimate_friction(contact, creepage, friction, &options, measured, force)?;
         estimate.write(found);
         Ok(found.warning)
     })
@@ -95,13 +94,8 @@ pub extern "C" fn kstrip_creepage_for_force(
 ) -> kstrip_status {
     answer(|| {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
-        let (found, warning) = rig::creepage_for_force_under(
-            contact,
-            [fx, fy],
-            spin,
-            friction,
-            &for_forces(options)?,
-        )?;
+        let (found, warning) =
+            rig::creepage_for_force(contact, [fx, fy], spin, friction, &for_forces(options)?)?;
         creepage.write(found);
         Ok(warning)
     })
