@@ -21,9 +21,8 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces::derivatives::{self, Derivatives};
 use crate::forces::{Model, Options};
-use crate::friction::derivatives::differentiate_with_law;
+use crate::friction::derivatives::{Differentiated, differentiate_with_law};
 use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite, length};
 use crate::numerics::bracket::root;
@@ -237,15 +236,9 @@ impl<'a, F: Float> Aim<'a, F> {
     fn place(&mut self, at: [F; 2]) -> Result<Iterate<F>, Error> {
         self.solved += 1;
         let creepage = self.creepage(at);
-        let (solution, slopes) = match self.law {
-            None => derivatives::forces_and_derivatives(self.contact, &creepage, self.options)?,
-            Some(_) => {
-                let found =
-                    differentiate_with_law(self.contact, &creepage, self.law, self.options)?;
-                (found.solution, found.derivatives)
-            }
-        };
-        let Derivatives { jacobian: [[xx, xy, _], [yx, yy, _], _], .. } = slopes;
+        let Differentiated { solution, derivatives, .. } =
+            differentiate_with_law(self.contact, &creepage, self.law, self.options)?;
+        let [[xx, xy, _], [yx, yy, _], _] = derivatives.jacobian;
         let force = [solution.fx / self.unit, solution.fy / self.unit];
         let rows = [[xx, xy], [yx, yy]].map(|row| row.map(|slope| slope / self.unit * self.slip));
         let [to_x, to_y] = self.target;

@@ -20,7 +20,7 @@ use crate::friction::derivatives::{Differentiated, differentiate_with_law};
 use crate::friction::{InMotion, SlipFriction, fastest_slip};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector6};
 
 /// Largest number of times that all forces are computed.
 const MOST: usize = 80;
@@ -110,13 +110,13 @@ struct Fit<'a, F> {
     contact: &'a Contact<F>,
     points: &'a [MeasuredForce<F>],
     options: &'a Options,
-    fitted: Fitted,
+    fitted: Vector6<bool>,
     start: SlipFriction<F>,
     /// Units of the parameters.
-    units: [F; 6],
+    units: Vector6<F>,
     /// In these units.
-    low: [F; 6],
-    high: [F; 6],
+    low: Vector6<F>,
+    high: Vector6<F>,
     /// How many forces count, the sum of their weights, and that of their weighted squares over
     /// `N²`.
     count: usize,
@@ -128,8 +128,8 @@ struct Fit<'a, F> {
 #[derive(Clone, Copy)]
 struct Sums<F> {
     total: F,
-    gradient: [F; 6],
-    normal: [[F; 6]; 6],
+    gradient: Vector6<F>,
+    normal: Matrix6<F>,
 }
 
 impl<F: Float> MeasuredForce<F> {
@@ -154,14 +154,18 @@ impl<F: Float> MeasuredForce<F> {
     }
 }
 
-/// The parameters of a law.
-fn parameters<F: Float>(law: &SlipFriction<F>) -> [F; 6] {
-    let SlipFriction { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = *law;
-    [friction, ratio, decay, slope_factor, slide_factor, layer]
+fn choose<F>(other: F, wanted: bool, one: F) -> F {
+    if wanted { one } else { other }
 }
 
-fn with_parameters<F: Float>(law: &SlipFriction<F>, of: [F; 6]) -> SlipFriction<F> {
-    let [friction, ratio, decay, slope_factor, slide_factor, layer] = of;
+/// The parameters of a law.
+fn parameters<F: Float>(law: &SlipFriction<F>) -> Vector6<F> {
+    let SlipFriction { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = *law;
+    Vector6::new(friction, ratio, decay, slope_factor, slide_factor, layer)
+}
+
+fn with_parameters<F: Float>(law: &SlipFriction<F>, of: Vector6<F>) -> SlipFriction<F> {
+    let [friction, ratio, decay, slope_factor, slide_factor, layer] = of.into();
     SlipFriction { friction, ratio, decay, slope_factor, slide_factor, layer, ..*law }
 }
 
@@ -205,21 +209,16 @@ impl<'a, F: Float> Fit<'a, F> {
         // decay over which friction falls within the points
         let slow = start.rolling_speed * fastest;
         let decay = if slow > zero { one / slow } else { one };
-        let units = [one, one, decay, one, one, flexible];
-        let least = F::of(LEAST);
-        let none = [least, zero, zero, least, least, least];
-        let most = F::of(1e6);
-        let usual = [used.times(1.05).max(least), F::of(0.5), one, F::of(0.5), F::of(0.5), one];
-        let mut begin = parameters(start);
-        for ((begin, fitted), (usual, unit)) in
-            begin.iter_mut().zip(fitted).zip(usual.into_iter().zip(units))
-        {
-            if fitted && *begin <= zero {
-                *begin = usual * unit;
-            }
-        }
+        let units = Vector6::new(one, one, decay, one, one, flexible);
+        let (least, most, half) = (F::of(LEAST), F::of(1e6), F::of(0.5));
+        let low = Vector6::new(least, zero, zero, least, least, least);
+        let high = Vector6::new(most, one, most, one, one, most);
+        let usual = Vector6::new(used.times(1.05).max(least), half, one, half, half, one);
+        let fitted = Vector6::from(fitted);
+        let missing = parameters(start).zip_map(&fitted, |start, fitted| fitted && start <= zero);
+        let usual = usual.zip_map(&units, |usual, unit| usual * unit);
+        let begin = parameters(start).zip_zip_map(&missing, &usual, choose);
         let start = with_parameters(start, begin);
-        let high = [most, one, most, one, one, most];
         Ok(Self {
             contact,
             points,
@@ -227,7 +226,7 @@ impl<'a, F: Float> Fit<'a, F> {
             fitted,
             start,
             units,
-            low: none,
+            low,
             high,
             count,
             weights,
@@ -236,22 +235,17 @@ impl<'a, F: Float> Fit<'a, F> {
     }
 
     /// The law with parameters in their units; those that are not fitted stay as they are.
-    fn law(&self, of: &[F; 6]) -> SlipFriction<F> {
-        let mut values = parameters(&self.start);
-        for ((value, fitted), (of, unit)) in
-            values.iter_mut().zip(self.fitted).zip(of.iter().zip(self.units))
-        {
-            if fitted {
-                *value = *of * unit;
-            }
-        }
+    fn law(&self, of: &Vector6<F>) -> SlipFriction<F> {
+        let of = of.zip_map(&self.units, |of, unit| of * unit);
+        let values = parameters(&self.start).zip_zip_map(&self.fitted, &of, choose);
         with_parameters(&self.start, values)
     }
 
-    fn sums(&self, of: &[F; 6]) -> Result<Sums<F>, (usize, Error)> {
+    fn sums(&self, of: &Vector6<F>) -> Result<Sums<F>, (usize, Error)> {
         let (law, load) = (self.law(of), self.contact.normal_force);
         let zero = F::zero();
-        let mut sums = Sums { total: zero, gradient: [zero; 6], normal: [[zero; 6]; 6] };
+        let (gradient, normal) = (Vector6::repeat(zero), Matrix6::repeat(zero));
+        let mut sums = Sums { total: zero, gradient, normal };
         for (i, point) in self.points.iter().enumerate() {
             if point.weight <= zero {
                 continue;
@@ -274,10 +268,10 @@ impl<'a, F: Float> Fit<'a, F> {
                 (fy, solution.fy, columns.map(|[_, y, _]| y)),
             ] {
                 let Some(measured) = measured else { continue };
-                let mut row = row;
-                for ((slope, unit), fitted) in row.iter_mut().zip(self.units).zip(self.fitted) {
-                    *slope = if fitted { *slope * (unit / load) } else { zero };
-                }
+                let row =
+                    Vector6::from(row).zip_zip_map(&self.fitted, &self.units, |slope, on, unit| {
+                        if on { slope * (unit / load) } else { zero }
+                    });
                 sums.add(point.weight, (computed - measured) / load, &row);
             }
         }
@@ -285,11 +279,8 @@ impl<'a, F: Float> Fit<'a, F> {
     }
 
     fn find(&self) -> Result<FrictionFit<F>, (usize, Error)> {
-        let mut at = parameters(&self.start);
-        for (((at, unit), low), high) in at.iter_mut().zip(self.units).zip(self.low).zip(self.high)
-        {
-            *at = (*at / unit).clamped(low, high);
-        }
+        let mut at = parameters(&self.start).zip_map(&self.units, |start, unit| start / unit);
+        at = at.zip_zip_map(&self.low, &self.high, F::clamped);
         let [start, least, most] = DAMPING.map(F::of);
         let mut damping = start;
         let mut sums = self.sums(&at)?;
@@ -302,13 +293,12 @@ impl<'a, F: Float> Fit<'a, F> {
                 continue;
             };
             let mut next = at;
-            for ((next, row), (low, high)) in
-                next.iter_mut().zip(inverse).zip(self.low.into_iter().zip(self.high))
-            {
+            for (next, row) in next.iter_mut().zip(inverse.column_iter()) {
                 let step =
-                    row.iter().zip(sums.gradient).fold(F::zero(), |sum, (a, g)| sum + *a * g);
-                *next = (*next - step).clamped(low, high);
+                    row.iter().zip(&sums.gradient).fold(F::zero(), |sum, (a, g)| sum + *a * *g);
+                *next = *next - step;
             }
+            next = next.zip_zip_map(&self.low, &self.high, F::clamped);
             steps += 1;
             let found = self.sums(&next)?;
             let fall = sums.total - found.total;
@@ -327,47 +317,44 @@ impl<'a, F: Float> Fit<'a, F> {
 
     /// Which parameters may move: those that are fitted, and not at a bound beyond which the sum
     /// falls.
-    fn free(&self, at: &[F; 6], sums: &Sums<F>) -> Fitted {
-        let mut free = self.fitted;
-        let bounds = self.low.into_iter().zip(self.high);
-        for ((free, at), (gradient, (low, high))) in
-            free.iter_mut().zip(at).zip(sums.gradient.into_iter().zip(bounds))
-        {
-            let held =
-                (*at <= low && gradient > F::zero()) || (*at >= high && gradient < F::zero());
-            *free = *free && !held;
-        }
-        free
+    fn free(&self, at: &Vector6<F>, sums: &Sums<F>) -> Vector6<bool> {
+        let zero = F::zero();
+        let below = at.zip_zip_map(&self.low, &sums.gradient, |at, low, by| at <= low && by > zero);
+        let above =
+            at.zip_zip_map(&self.high, &sums.gradient, |at, high, by| at >= high && by < zero);
+        self.fitted.zip_zip_map(&below, &above, |fitted, below, above| fitted && !below && !above)
     }
 
-    fn result(&self, at: &[F; 6], sums: &Sums<F>, steps: usize, settled: bool) -> FrictionFit<F> {
+    fn result(
+        &self,
+        at: &Vector6<F>,
+        sums: &Sums<F>,
+        steps: usize,
+        settled: bool,
+    ) -> FrictionFit<F> {
         let (zero, load) = (F::zero(), self.contact.normal_force);
         let free = self.free(at, sums);
         let moves = free.iter().filter(|free| **free).count();
         let number = |n: usize| F::widened(n as f32);
         let left = sums.total / number(self.count.saturating_sub(moves).max(1));
         let presumed = self.squares / number(self.count) * F::of(PRESUMED * PRESUMED);
-        let mut errors = [zero; 6];
-        let mut tells = true;
-        match sums.inverted(&free, zero) {
-            None => tells = false,
-            Some(inverse) => {
-                for (i, ((error, row), free)) in
-                    errors.iter_mut().zip(inverse).zip(free).enumerate()
-                {
-                    let Some(variance) = row.get(i).filter(|_| free) else { continue };
-                    let value = at.get(i).copied().unwrap_or(zero);
-                    // (of shares of one, ratio and slide factor, the error is absolute)
-                    let size = if i == 1 || i == 4 { F::one() } else { value };
-                    let error_at_least = (*variance * left.max(presumed)).max(zero).sqrt();
-                    tells = tells && error_at_least <= size.times(UNCERTAIN);
-                    *error = (*variance * left).max(zero).sqrt().min(F::HUGE);
-                }
-            }
+        let mut errors = Vector6::repeat(zero);
+        let mut tells = false;
+        if let Some(inverse) = sums.inverted(&free, zero) {
+            // (of shares of one, ratio and slide factor, the error is absolute)
+            let shares = Vector6::new(false, true, false, false, true, false);
+            let sizes = shares.zip_map(at, |share, value| if share { F::one() } else { value });
+            // (the variances of parameters that are not free are zero)
+            let variances = inverse.diagonal();
+            let least = variances.map(|variance| (variance * left.max(presumed)).max(zero).sqrt());
+            tells = least
+                .iter()
+                .zip(&sizes)
+                .zip(&free)
+                .all(|((error, size), free)| !free || *error <= size.times(UNCERTAIN));
+            errors = variances.map(|variance| (variance * left).max(zero).sqrt().min(F::HUGE));
         }
-        for (error, unit) in errors.iter_mut().zip(self.units) {
-            *error = (*error * unit).min(F::HUGE);
-        }
+        errors = errors.zip_map(&self.units, |error, unit| (error * unit).min(F::HUGE));
         let nothing = SlipFriction { ratio: zero, ..SlipFriction::of_constant(zero) };
         let warning = if !settled {
             Warning::NotConverged
@@ -387,50 +374,33 @@ impl<'a, F: Float> Fit<'a, F> {
 }
 
 impl<F: Float> Sums<F> {
-    fn add(&mut self, weight: F, error: F, row: &[F; 6]) {
+    fn add(&mut self, weight: F, error: F, row: &Vector6<F>) {
         self.total += weight * error * error;
-        for ((normal, gradient), slope) in self.normal.iter_mut().zip(&mut self.gradient).zip(row) {
-            let weighted = weight * *slope;
-            *gradient += weighted * error;
-            for (entry, other) in normal.iter_mut().zip(row) {
-                *entry += weighted * *other;
-            }
+        self.gradient.zip_apply(row, |entry, slope| *entry += weight * slope * error);
+        for (mut column, slope) in self.normal.column_iter_mut().zip(row) {
+            column.zip_apply(row, |entry, other| *entry += weight * *slope * other);
         }
     }
 
     /// The inverse of the damped normal equations of free parameters, zero for the others; none
     /// where they are singular.
-    fn inverted(&self, free: &Fitted, damping: F) -> Option<[[F; 6]; 6]> {
+    fn inverted(&self, free: &Vector6<bool>, damping: F) -> Option<Matrix6<F>> {
         let (zero, one) = (F::zero(), F::one());
         // in units that make the diagonal one
-        let mut scale = [zero; 6];
-        for (i, ((scale, row), free)) in scale.iter_mut().zip(&self.normal).zip(free).enumerate() {
-            let own = row.get(i).copied().unwrap_or(zero);
-            if *free && !(own > zero) {
-                return None;
-            }
-            *scale = if *free { one / own.sqrt() } else { zero };
+        let own = self.normal.diagonal();
+        if own.iter().zip(free).any(|(own, free)| *free && !(*own > zero)) {
+            return None;
         }
-        let mut matrix = Matrix6::from([[zero; 6]; 6]);
-        for (i, ((column, row), own)) in
-            matrix.as_mut_slice().chunks_exact_mut(6).zip(&self.normal).zip(scale).enumerate()
-        {
-            for (j, ((entry, normal), other)) in column.iter_mut().zip(row).zip(scale).enumerate() {
-                *entry = *normal * own * other;
-                if i == j {
-                    *entry = one + damping;
-                }
+        let scale = own.zip_map(free, |own, free| if free { one / own.sqrt() } else { zero });
+        let scaled = |matrix: &Matrix6<F>| {
+            let mut scaled = *matrix;
+            for (mut column, own) in scaled.column_iter_mut().zip(&scale) {
+                column.zip_apply(&scale, |entry, other| *entry = *entry * *own * other);
             }
-        }
-        let inverse = F::inverse_of_normal(matrix)?;
-        let mut rows = [[zero; 6]; 6];
-        for ((row, column), own) in
-            rows.iter_mut().zip(inverse.as_slice().chunks_exact(6)).zip(scale)
-        {
-            for ((entry, inverse), other) in row.iter_mut().zip(column).zip(scale) {
-                *entry = *inverse * own * other;
-            }
-        }
-        Some(rows)
+            scaled
+        };
+        let mut matrix = scaled(&self.normal);
+        matrix.fill_diagonal(one + damping);
+        F::inverse_of_normal(matrix).map(|inverse| scaled(&inverse))
     }
 }

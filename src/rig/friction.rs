@@ -4,7 +4,6 @@ use super::search::{Interval, STEEPEST, Sample, Search};
 use super::{FrictionEstimate, Measured};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces::derivatives;
 use crate::forces::{Model, Options, Solution};
 use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite};
@@ -164,14 +163,8 @@ impl<'a, F: Float> Rig<'a, F> {
     /// friction.
     fn solve(&self, friction: F) -> Result<(Solution<F>, [F; 3], F), Error> {
         let contact = Contact { friction, ..self.contact };
-        let Some(law) = self.law else {
-            // (by reference)
-            let solved = derivatives::solve_with_slopes(&contact, self.creepage, self.options);
-            let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
-            return Ok((*solution, slopes.derivatives.friction, friction));
-        };
-        let law = Some(&SlipFriction { friction, ..*law });
-        let motion = InMotion { creepage: self.creepage, law, options: self.options };
+        let law = self.law.map(|law| SlipFriction { friction, ..*law });
+        let motion = InMotion { creepage: self.creepage, law: law.as_ref(), options: self.options };
         let found = motion.differentiate(&contact)?;
         Ok((found.solution, found.derivatives.friction, found.friction))
     }
