@@ -7,7 +7,24 @@ use crate::contact::plausibility::SMALLEST_CURVATURE;
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 
-pub use crate::contact::radii::Radii;
+/// Largest semi-axis, divided by the smaller radius in its direction, for bodies that count as
+/// half-spaces.
+const LARGEST_OPENING: f64 = 0.3;
+
+/// Radii of curvature of two bodies at the contact \[m\]: convex positive, flat infinite
+/// (INFINITY), concave negative. Zero and NaN are errors.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Radii<F> {
+    /// Lower body in the plane of x and z (a straight rail: INFINITY).
+    pub lower_x: F,
+    /// Lower body in the plane of y and z (a rail: radius of the head).
+    pub lower_y: F,
+    /// Upper body in the plane of x and z (a wheel: rolling radius).
+    pub upper_x: F,
+    /// Upper body in the plane of y and z (a wheel: radius of the profile, INFINITY if conical).
+    pub upper_y: F,
+}
 
 /// The contact ellipse of Hertz.
 #[repr(C)]
@@ -137,6 +154,18 @@ pub fn from_approach<F: Float>(
     Error::Overflow.unless(are_finite(&[a, b, stiffness, normal_force]))?;
     let (contact, warning) = form.loaded([a, b], radii, pair, normal_force, friction)?;
     Ok((contact, stiffness, warning))
+}
+
+impl<F: Float> Contact<F> {
+    /// Whether a semi-axis is so long compared with the radii in its direction that the bodies are
+    /// not half-spaces.
+    fn is_conformal(&self, radii: &Radii<F>) -> bool {
+        let Radii { lower_x, lower_y, upper_x, upper_y } = *radii;
+        let opens = |axis: F, lower: F, upper: F| {
+            axis > lower.abs().min(upper.abs()).times(LARGEST_OPENING)
+        };
+        opens(self.a, lower_x, upper_x) || opens(self.b, lower_y, upper_y)
+    }
 }
 
 /// `E* = G/(1 − ν)`

@@ -6,7 +6,6 @@ pub mod hertz;
 pub mod material;
 pub(crate) mod mismatch;
 pub(crate) mod plausibility;
-mod radii;
 pub mod totals;
 
 pub use self::hertz::{from_approach, from_hertz};

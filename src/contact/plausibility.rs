@@ -29,7 +29,6 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::contact::radii::Radii;
 use crate::number::{Float, Real};
 use crate::status::Warning;
 use core::f64::consts::PI;
@@ -48,9 +47,6 @@ pub(crate) const LARGEST_FRICTION: f64 = 5.0;
 pub(crate) const LARGEST_RADIUS: f64 = 5.0;
 /// Largest `|κ|` that was compared with the reference.
 pub(crate) const LARGEST_MISMATCH: f64 = 0.25;
-/// Largest semi-axis, divided by the smaller radius in its direction, for bodies that count as
-/// half-spaces.
-const LARGEST_OPENING: f64 = 0.3;
 /// `|φ| √(ab)` up to which every spin is plausible.
 const EDGE_SLIP: f64 = 0.05;
 /// `|φ| a G/p₀` up to which a larger spin is plausible.
@@ -161,15 +157,5 @@ impl<F: Float> Contact<F> {
         } else {
             Warning::None
         }
-    }
-
-    /// Whether a semi-axis is so long compared with the radii in its direction that the bodies are
-    /// not half-spaces.
-    pub(super) fn is_conformal(&self, radii: &Radii<F>) -> bool {
-        let Radii { lower_x, lower_y, upper_x, upper_y } = *radii;
-        let opens = |axis: F, lower: F, upper: F| {
-            axis > lower.abs().min(upper.abs()).times(LARGEST_OPENING)
-        };
-        opens(self.a, lower_x, upper_x) || opens(self.b, lower_y, upper_y)
     }
 }

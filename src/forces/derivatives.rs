@@ -114,7 +114,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::Model)
     );
-    if few_are_finite(&slopes.derivatives.entries()) {
+    if few_are_finite(slopes.derivatives.entries().as_flattened()) {
         Ok((solution, slopes))
     } else {
         Err(Error::Overflow)
@@ -347,11 +347,9 @@ fn scaled<F: Real>(vector: [F; 3], factor: F) -> [F; 3] {
 }
 
 impl<F: Float> Derivatives<F> {
-    /// All derivatives in one array.
-    pub(crate) fn entries(&self) -> [F; 18] {
-        let Self { jacobian: [[a, b, c], [d, e, f], [g, h, i]], .. } = *self;
-        let Self { normal_force, load_through_hertz, friction, .. } = *self;
-        let [[j, k, l], [m, n, o], [p, q, r]] = [normal_force, load_through_hertz, friction];
-        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r]
+    /// All rows.
+    pub(crate) fn entries(&self) -> [[F; 3]; 6] {
+        let Self { jacobian: [x, y, z], normal_force, load_through_hertz, friction } = *self;
+        [x, y, z, normal_force, load_through_hertz, friction]
     }
 }

@@ -1,13 +1,12 @@
 //! The forces of each strip of a solution.
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::creepage::Creepage;
 use crate::contact::totals::{StripCount, Totals};
 use crate::forces::check::check;
 use crate::forces::options::{Model, Options};
-use crate::forces::theory::{ScaledContact, sliding_rule};
+use crate::forces::theory::{ScaledContact, Theory, sliding_rule};
 use crate::forces::warning::warning_of;
-use crate::linear::LinearCoefficients;
 use crate::number::Float;
 use crate::status::{Error, Warning};
 use crate::strip::{EllipseStrips, Rule};
@@ -92,10 +91,9 @@ pub fn strips<F: Float>(
         });
     };
     if Model::HAS_STRIP && options.model == Model::Strip {
-        let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
-        let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-        let law = EllipseStrips::new(axis_ratio, poisson_ratio, &linear, options.strips);
-        place_strips(&law, parameters.normalised(), options.strips, &mut share);
+        let creepage = frame.units.normalised(&parameters);
+        let strips = EllipseStrips::of_contact(&frame, options);
+        place_strips(&strips, creepage, options.strips, &mut share);
     } else if Model::HAS_STRIP_1967 {
         let rule = sliding_rule(options.model);
         strip_1967::strips::visit_strips(&parameters, rule, options.strips, &mut share);

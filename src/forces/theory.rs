@@ -8,7 +8,7 @@ use crate::contact::mismatch::Shift;
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Model, Options, Solution};
-use crate::forces::warning::{linear_warning_of, model_warning, neglected, warned};
+use crate::forces::warning::{linear_warning_of, saturating_warning, warned};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Float, Number, Pair, Real};
 use crate::status::Error;
@@ -244,12 +244,10 @@ pub(crate) trait Theory<F: Real>: Copy {
     where
         F: Float,
     {
-        let bound = frame.contact.friction_bound();
         let of_model = if Self::MODEL == Model::Linear {
-            linear_warning_of(forces.fx, forces.fy, bound)
+            linear_warning_of(forces.fx, forces.fy, frame.contact.friction_bound())
         } else {
-            model_warning(Self::MODEL, bound, frame.units.axis_ratio, psi)
-                .worse(neglected(Self::MODEL, frame.contact.mismatch))
+            saturating_warning(Self::MODEL, &frame.contact, frame.units.axis_ratio, psi)
         };
         let warning = if ordinary {
             of_model

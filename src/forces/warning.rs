@@ -33,9 +33,7 @@ pub(crate) fn warning_of<F: Float>(
     model: Model,
     psi: F,
 ) -> Warning {
-    let of_model = model_warning(model, contact.friction_bound(), contact.a / contact.b, psi)
-        .worse(neglected(model, contact.mismatch));
-    warned(contact, creepage, of_model)
+    warned(contact, creepage, saturating_warning(model, contact, contact.a / contact.b, psi))
 }
 
 /// The more serious of a warning of the model and a warning that an input is implausible.
@@ -49,11 +47,17 @@ pub(crate) fn warned<F: Float>(
     warning.worse(implausibility(contact, creepage))
 }
 
-/// The warning that the theory of 1967 neglects the mismatch of the materials.
+/// [`model_warning`], or that the theory of 1967 neglects the mismatch of the materials.
 #[inline]
-pub(crate) fn neglected<F: Float>(model: Model, mismatch: F) -> Warning {
-    let neglects = model.is_of_1967() && mismatch != F::zero();
-    if neglects { Warning::MismatchNeglected } else { Warning::None }
+pub(crate) fn saturating_warning<F: Float>(
+    model: Model,
+    contact: &Contact<F>,
+    ratio: F,
+    psi: F,
+) -> Warning {
+    let neglects = model.is_of_1967() && contact.mismatch != F::zero();
+    let of_mismatch = if neglects { Warning::MismatchNeglected } else { Warning::None };
+    model_warning(model, contact.friction_bound(), ratio, psi).worse(of_mismatch)
 }
 
 /// The warning of the linear theory.

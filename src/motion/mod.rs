@@ -367,10 +367,10 @@ impl<F: Float> Rolling<F> {
 
 impl<F: Float> MotionDerivatives<F> {
     pub(crate) fn entries(&self) -> impl Iterator<Item = F> {
-        let Self { slip, rolling_speed, normal_force, load_through_hertz, .. } = *self;
-        let Self { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = *self;
-        let of_load = [rolling_speed, normal_force, load_through_hertz];
-        let of_friction = [friction, ratio, decay, slope_factor, slide_factor, layer];
-        slip.into_iter().chain(of_load).chain(of_friction).flatten()
+        let Self { slip, rolling_speed, normal_force, load_through_hertz, friction, .. } = *self;
+        let Self { ratio, decay, slope_factor, slide_factor, layer, .. } = *self;
+        let others = [rolling_speed, normal_force, load_through_hertz, friction];
+        let of_law = [ratio, decay, slope_factor, slide_factor, layer];
+        slip.into_iter().chain(others).chain(of_law).flatten()
     }
 }

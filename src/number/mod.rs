@@ -110,7 +110,7 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
 
 /// The same of a few. On a microcontroller one sum tells: `0 x` is 0 or NaN.
 #[inline]
-pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool {
+pub(crate) fn few_are_finite<F: Float>(numbers: &[F]) -> bool {
     if cfg!(target_os = "none") {
         let sum = numbers.iter().fold(F::zero(), |sum, x| sum + *x * F::zero());
         return sum.is_finite_number();
