@@ -53,6 +53,10 @@ pub fn solve_batch<F: Float>(
     get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
     mut put: impl FnMut(usize, Solution<F>),
 ) -> Result<Warning, (usize, Error)> {
+    let get = |i| {
+        let (contact, creepage) = get(i);
+        (contact, creepage, None)
+    };
     if count == 1 {
         // (a bad input is found before anything is handed out)
         return solve_each(0..1, options, &get, &mut put);
@@ -68,11 +72,7 @@ pub fn solve_batch<F: Float>(
         solved.iter().enumerate().for_each(|(i, solution)| put(i, *solution));
         return Ok(worst);
     }
-    let case = |i| {
-        let (contact, creepage) = get(i);
-        (contact, creepage, None)
-    };
-    check_each(count, &case, |(contact, creepage, _)| forces::check(contact, creepage, options))?;
+    check_each(count, &get, |(contact, creepage, _)| forces::check(contact, creepage, options))?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE
         && let Some(solved) = side_by_side::solve_side_by_side(count, options, &get, &mut put)

@@ -49,12 +49,12 @@ impl<F: Float> Gathered<'_, F> {
 pub(crate) fn solve_each<F: Float>(
     numbers: core::ops::Range<usize>,
     options: &Options,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, Solution<F>),
 ) -> Found<Warning> {
     let mut worst = Warning::None;
     for i in numbers {
-        let (contact, creepage) = get(i);
+        let (contact, creepage, _) = get(i);
         let solution = forces::forces_of_contact(&contact, &creepage, options);
         let solution = solution.as_ref().map_err(|error| (i, *error))?;
         worst = worst.worse(solution.warning);

@@ -30,7 +30,7 @@ use core::ops::Range;
 pub(super) fn solve_side_by_side<F: Float>(
     count: usize,
     options: &Options,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, Solution<F>),
 ) -> Option<Found<Warning>> {
     // SAFETY: the processor was asked.
@@ -97,10 +97,7 @@ const MILD: f64 = 0.47;
 #[inline(always)]
 fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>) -> bool {
     let first = numbers.start;
-    let (mut contact, creepage) = group::<F, F::Contacts>(first, &|i| {
-        let (contact, creepage, _) = get(i);
-        (contact, creepage)
-    });
+    let (mut contact, creepage) = group::<F, F::Contacts>(first, get);
     let zero = F::Contacts::zero();
     let mut steepness = zero;
     if numbers.into_iter().any(|i| get(i).2.is_some()) {
@@ -148,7 +145,7 @@ macro_rules! compiled_for {
             pub fn solve_each<F: Float>(
                 numbers: Range<usize>,
                 options: &Options,
-                get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+                get: &impl Fn(usize) -> Case<F>,
                 put: &mut impl FnMut(usize, Solution<F>),
             ) -> Found<Warning> {
                 let mut worst = Warning::None;
@@ -194,10 +191,7 @@ macro_rules! compiled_for {
                 let (first, end) = whole_groups(&numbers, F::$contacts::COUNT);
                 for first in (first..end).step_by(F::$contacts::COUNT) {
                     let numbers = first..first + F::$contacts::COUNT;
-                    let (contact, creepage) = group::<F, F::$contacts>(first, &|i| {
-                        let (contact, creepage, _) = get(i);
-                        (contact, creepage)
-                    });
+                    let (contact, creepage) = group::<F, F::$contacts>(first, get);
                     if !go_together(&contact, &creepage) {
                         let found = $narrower::differentiate_each(numbers, options, get, put);
                         worst = worst.worse(found?);
@@ -278,40 +272,19 @@ fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
 #[inline(always)]
 fn group<F: Float, L: Strips<F>>(
     first: usize,
-    get: &impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    get: &impl Fn(usize) -> Case<F>,
 ) -> (Contact<L>, Creepage<L>) {
-    let [
-        a,
-        b,
-        normal_force,
-        shear_modulus,
-        poisson_ratio,
-        friction,
-        mismatch,
-        longitudinal,
-        lateral,
-        spin,
-    ] = together(first, &|i| {
-        let (contact, creepage) = get(i);
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } =
-            contact;
-        let Creepage { longitudinal, lateral, spin } = creepage;
-        [
-            a,
-            b,
-            normal_force,
-            shear_modulus,
-            poisson_ratio,
-            friction,
-            mismatch,
-            longitudinal,
-            lateral,
-            spin,
-        ]
+    let [a, b, n, g, nu, mu, kappa, vx, vy, spin] = together(first, &|i| {
+        let (contact, Creepage { longitudinal, lateral, spin }, _) = get(i);
+        let Contact { a, b, normal_force, shear_modulus, .. } = contact;
+        let Contact { poisson_ratio, friction, mismatch, .. } = contact;
+        let [g, nu, mu, kappa] = [shear_modulus, poisson_ratio, friction, mismatch];
+        [a, b, normal_force, g, nu, mu, kappa, longitudinal, lateral, spin]
     });
+    let [normal_force, shear_modulus, poisson_ratio, friction, mismatch] = [n, g, nu, mu, kappa];
     (
         Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch },
-        Creepage { longitudinal, lateral, spin },
+        Creepage { longitudinal: vx, lateral: vy, spin },
     )
 }
 

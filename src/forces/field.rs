@@ -4,9 +4,8 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::forces::check::check;
 use crate::forces::options::{Model, Options};
-use crate::forces::theory::ScaledContact;
+use crate::forces::theory::{ScaledContact, sliding_rule};
 use crate::forces::warning::warning_of;
-use crate::linear::LinearCoefficients;
 use crate::number::Float;
 use crate::status::{Error, Warning};
 use crate::strip::{Distribution, Flexibilities, StripGeometry};
@@ -100,35 +99,27 @@ impl<F: Float> Field<F> {
         options: &Options,
     ) -> Result<Self, Error> {
         check(contact, creepage, options)?;
-        let creepage = &if contact.is_lost() {
-            *creepage
-        } else {
-            ScaledContact::new(contact).seen(creepage, options.model).0
-        };
-        let parameters = Parameters::new(contact, creepage);
+        let frame = ScaledContact::new(contact);
+        let lost = contact.is_lost();
+        let creepage = &if lost { *creepage } else { frame.seen(creepage, options.model).0 };
+        let parameters = frame.units.parameters(creepage);
         // The dissipation of a point is traction times slip. Slip is of the size of the rigid slip,
         // which the checked parameters bound.
         let rigid = creepage.longitudinal.abs()
             + creepage.lateral.abs()
             + (contact.a + contact.b) * creepage.spin.abs();
         let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
-        Error::Overflow.when(
-            !contact.is_lost()
-                && !(contact.friction * contact.peak_pressure() * slip).is_finite_number(),
-        )?;
+        let dissipation = contact.friction * contact.peak_pressure() * slip;
+        Error::Overflow.unless(lost || dissipation.is_finite_number())?;
         let law = match options.model {
-            Model::Strip1967 if Model::HAS_STRIP_1967 => {
-                Tractions::Strip1967(parameters, SlidingRule::RigidSlip)
-            }
-            Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                Tractions::Strip1967(parameters, SlidingRule::Continuous)
+            Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
+                Tractions::Strip1967(parameters, sliding_rule(options.model))
             }
             Model::Strip if Model::HAS_STRIP => {
-                let Parameters { axis_ratio, poisson_ratio, .. } = parameters;
-                let linear = LinearCoefficients::at(axis_ratio, poisson_ratio);
-                let one = F::one();
-                let prepared = Flexibilities::new(axis_ratio, poisson_ratio, &linear, [one, one]);
-                Tractions::Strip(prepared.see(parameters.normalised()))
+                let (axis_ratio, poisson_ratio, linear) = frame.shape();
+                let flexibilities =
+                    Flexibilities::new(axis_ratio, poisson_ratio, &linear, [F::one(); 2]);
+                Tractions::Strip(flexibilities.see(frame.units.normalised(&parameters)))
             }
             _ => return Err(Error::NotInModel),
         };

@@ -296,7 +296,7 @@ impl<'a, F: Float> Fit<'a, F> {
             for (next, row) in next.iter_mut().zip(inverse.column_iter()) {
                 let step =
                     row.iter().zip(&sums.gradient).fold(F::zero(), |sum, (a, g)| sum + *a * *g);
-                *next = *next - step;
+                *next -= step;
             }
             next = next.zip_zip_map(&self.low, &self.high, F::clamped);
             steps += 1;
