@@ -83,9 +83,6 @@ pub fn solve_batch<F: Float>(
 }
 
 /// [`solve_batch`] with friction that falls with the slip.
-///
-/// # Errors
-/// Those of [`friction::solve_with_law`], of the first bad input, with its number.
 pub(crate) fn solve_under_friction<F: Float>(
     count: usize,
     options: &Options,
@@ -110,9 +107,6 @@ pub(crate) fn solve_under_friction<F: Float>(
 }
 
 /// Checks all contacts, one by one unless they are ordinary in groups.
-///
-/// # Errors
-/// Those of the check, of the first bad input.
 #[inline]
 fn check_each<F: Float>(
     count: usize,
@@ -128,10 +122,6 @@ fn check_each<F: Float>(
 }
 
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
-///
-/// # Errors
-/// Those of [`differentiate`](derivatives::differentiate_with_law), of the first bad input, with
-/// its number.
 pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,

@@ -42,9 +42,6 @@ impl<F: Float> Gathered<'_, F> {
 }
 
 /// Forces of checked contacts, one after the other.
-///
-/// # Errors
-/// Those of the first bad input.
 #[inline(never)]
 pub(crate) fn solve_each<F: Float>(
     numbers: core::ops::Range<usize>,

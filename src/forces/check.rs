@@ -25,9 +25,6 @@ pub fn check<F: Float>(
 }
 
 /// The complete check, for inputs that are not [ordinary](Contact::is_ordinary).
-///
-/// # Errors
-/// Those of [`check`].
 #[cold]
 #[inline(never)]
 pub(crate) fn find_fault<F: Float>(

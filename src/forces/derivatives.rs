@@ -92,9 +92,6 @@ pub fn forces_and_derivatives<F: Float>(
 }
 
 /// [`forces_and_derivatives`] with the intermediate results that other derivatives use.
-///
-/// # Errors
-/// Those of [`forces_and_derivatives`].
 pub(crate) fn solve_with_slopes<F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,

@@ -69,9 +69,6 @@ pub fn forces_of_contact<F: Float>(
 }
 
 /// The same, written where the caller wants it.
-///
-/// # Errors
-/// Those of [`forces_of_contact`].
 pub(crate) fn write_forces<'a, F: Float>(
     contact: &Contact<F>,
     creepage: &Creepage<F>,
@@ -84,9 +81,6 @@ pub(crate) fn write_forces<'a, F: Float>(
 }
 
 /// The same as [`forces_of_contact`], inlined in each caller, which then links no other model.
-///
-/// # Errors
-/// Those of [`forces_of_contact`].
 #[inline(always)]
 pub(crate) fn solution_of<F: Float, M: Theory<F>>(
     contact: &Contact<F>,

@@ -181,9 +181,6 @@ impl<F: Float> ThroughLayer<'_, F> {
     }
 
     /// Forces.
-    ///
-    /// # Errors
-    /// Those of [`forces_of_contact`](crate::forces::forces_of_contact).
     pub fn solve(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
         by_model!(self.options.model, F, solve_in(self, contact), Err(Error::Model))
     }
