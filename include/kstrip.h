@@ -61,7 +61,7 @@ extern "C" {
 /** Result of a call: 0 ok; > 0 warning, outputs valid; < 0 error, outputs untouched. */
 typedef int32_t kstrip_status;
 
-/** Ok: ok. */
+/** Success. */
 #define KSTRIP_OK 0
 
 /**
@@ -87,17 +87,26 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
 /** Warning: the requested force is that of full sliding, which every larger creepage gives as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
-/** Warning: implausible pressure, above a tenth of the shear modulus. */
+/**
+ * Warning: implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the load
+ * (N) or the semi-axes (m) are probably in another unit.
+ */
 #define KSTRIP_WARNING_PRESSURE 8
-/** Warning: implausible creepage, above 10. */
+/**
+ * Warning: implausible creepage, above 10: it is probably in per cent, or the contact hardly rolls
+ * (at low speed use slip velocities).
+ */
 #define KSTRIP_WARNING_CREEPAGE 9
-/** Warning: implausible semi-axis, above 1 m. */
+/** Warning: implausible semi-axis, above 1 m: it is probably in mm. */
 #define KSTRIP_WARNING_SEMI_AXIS 10
-/** Warning: implausible spin, larger than rolling bodies of this curvature can have. */
+/**
+ * Warning: implausible spin, larger than rolling bodies of this curvature can have: it is probably
+ * in degrees per metre.
+ */
 #define KSTRIP_WARNING_SPIN_UNIT 11
-/** Warning: implausible coefficient of friction, above 5. */
+/** Warning: implausible coefficient of friction, above 5: it is probably in per cent. */
 #define KSTRIP_WARNING_FRICTION 12
-/** Warning: implausible radii, larger than 5 m in both directions. */
+/** Warning: implausible radii, larger than 5 m in both directions: they are probably in mm. */
 #define KSTRIP_WARNING_RADIUS 13
 /**
  * Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, and
@@ -127,12 +136,13 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_UNDETERMINED 20
 /**
  * Warning: implausible profile, upside down or the wrong way round, or a contact of a wheel above
- * 30 degrees.
+ * 30 degrees: z must point down, and the flange of a wheel and the gauge side of a rail lie at
+ * small y.
  */
 #define KSTRIP_WARNING_ORIENTATION 21
-/** Warning: implausible profile, longer than 1 m. */
+/** Warning: implausible profile, longer than 1 m: it is probably in mm. */
 #define KSTRIP_WARNING_PROFILE_SIZE 22
-/** Warning: implausible shear modulus, below 0.1 MPa. */
+/** Warning: implausible shear modulus, below 0.1 MPa: it is probably in MPa or GPa. */
 #define KSTRIP_WARNING_MODULUS 23
 /** Warning: friction and Poisson's ratio of a wheel and a rail are both 0. */
 #define KSTRIP_WARNING_UNSET 24

@@ -8,7 +8,7 @@ use core::fmt;
 pub type kstrip_status = i32;
 
 /// The statuses of a kind, each with its names in C and in Rust, its number, which is never reused,
-/// what it means, and what the caller must change.
+/// what it means (the comment of the header), and what else a caller should know.
 macro_rules! statuses {
     ($(#[$about:meta])* $name:ident { $($(#[$is:meta])*
         $constant:ident $variant:ident = $number:literal: $means:literal $(, $remedy:literal)?;
@@ -206,8 +206,8 @@ statuses! {
              is its continuation by this library: finite, continuous and bounded by mu N",
             "use STRIP or TOTAL";
         KSTRIP_WARNING_RANGE OutsideRange = 2:
-            "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT, and the \
-             result is bounded by mu N";
+            "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT",
+            "the result is bounded by mu N";
         KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3:
             "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
         KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4:
@@ -238,8 +238,8 @@ statuses! {
         KSTRIP_WARNING_RADIUS Radius = 13:
             "implausible radii, larger than 5 m in both directions: they are probably in mm";
         KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14:
-            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, \
-             and the result has the right limits";
+            "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made",
+            "the result is bounded by mu N and has the right limits";
         KSTRIP_WARNING_MISMATCH Mismatch = 15:
             "the mismatch of the materials exceeds 0.25, where the model was not compared with \
              its reference, and the result is bounded by mu N";
