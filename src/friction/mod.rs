@@ -154,7 +154,7 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// Forces of a contact, which was checked if there is a law.
     pub fn solve(&self, contact: &Contact<F>) -> Result<FrictionSolution<F>, Error> {
         let (contact, warning) = self.with_friction(contact)?;
-        let mut solution = self.forces(&contact)?;
+        let mut solution = self.forces_at_friction(&contact)?;
         solution.warning = solution.warning.worse(warning);
         Ok(FrictionSolution { solution, friction: contact.friction })
     }
@@ -172,7 +172,7 @@ impl<'a, F: Float> InMotion<'a, F> {
             let contact = Contact { friction, ..contact };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                return Ok(law.at(self.forces(&contact)?.power / bound));
+                return Ok(law.at(self.forces_at_friction(&contact)?.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
             let slopes = match self.behind_layer() {
@@ -197,7 +197,7 @@ impl<'a, F: Float> InMotion<'a, F> {
 
     /// Forces of a contact that has the stiffness and the friction of the law.
     #[inline(always)]
-    fn forces(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
+    fn forces_at_friction(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
         match self.behind_layer() {
             Some(through) => through.solve(contact),
             None => forces::forces_of_contact(contact, self.creepage, self.options),

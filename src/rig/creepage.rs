@@ -72,8 +72,8 @@ const TAKEN: f64 = 1e4;
 /// and the result is one of them.
 ///
 /// # Errors
-/// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::ForceBeyondFriction`],
-/// and those of [`SlipFriction::check`].
+/// Those of [`forces_of_contact`](crate::forces::forces_of_contact) and [`SlipFriction::check`],
+/// [`Error::ForceBeyondFriction`].
 ///
 /// # Example
 /// ```
