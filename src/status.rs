@@ -11,7 +11,8 @@ pub type kstrip_status = i32;
 /// what it means (the comment of the header), and what else a caller should know.
 macro_rules! statuses {
     ($(#[$about:meta])* $name:ident { $($(#[$is:meta])*
-        $constant:ident $variant:ident = $number:literal: $means:literal $(, $remedy:literal)?;
+        $constant:ident $variant:ident = $number:literal $(gravity $gravity:tt)?:
+            $means:literal $(, $remedy:literal)?;
     )* }) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,6 +31,21 @@ macro_rules! statuses {
             #[must_use]
             pub const fn code(self) -> i32 {
                 self as i32
+            }
+
+            /// The one of the larger gravity, of two that are equally serious the one of the larger
+            /// code.
+            #[must_use]
+            pub const fn worse(self, other: Self) -> Self {
+                let (own, of_other) = (self.gravity(), other.gravity());
+                let graver = of_other > own || (of_other == own && other.code() > self.code());
+                if graver { other } else { self }
+            }
+
+            const fn gravity(self) -> i32 {
+                match self {
+                    $(Self::$variant => 0 $(+ $gravity)?,)*
+                }
             }
 
             /// The variant of a status of the C interface.
@@ -178,12 +194,6 @@ impl Error {
     pub(crate) const fn when(self, holds: bool) -> Result<(), Self> {
         self.unless(!holds)
     }
-
-    /// The one with the larger code.
-    #[must_use]
-    pub const fn worse(self, other: Self) -> Self {
-        if other.code() > self.code() { other } else { self }
-    }
 }
 
 impl fmt::Display for Error {
@@ -196,85 +206,87 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {}
 
 statuses! {
-    /// A warning about a valid result: none, or a positive status.
+    /// A warning about a valid result: none, or a positive status. A warning that the result may be
+    /// another one is more serious than one of implausible inputs, and that is more serious than
+    /// one of inputs outside the range of the model.
     #[derive(Default)]
     Warning {
         #[default]
         KSTRIP_OK None = 0: "ok";
-        KSTRIP_WARNING_SPIN SpinBeyondTheory = 1:
+        KSTRIP_WARNING_SPIN SpinBeyondTheory = 1 gravity 1:
             "the spin parameter |psi| is 1 or more, beyond the theory of 1967, and the result \
              is its continuation by this library: finite, continuous and bounded by mu N",
             "use STRIP or TOTAL";
-        KSTRIP_WARNING_RANGE OutsideRange = 2:
+        KSTRIP_WARNING_RANGE OutsideRange = 2 gravity 1:
             "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT",
             "the result is bounded by mu N";
-        KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3:
+        KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3 gravity 2:
             "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
-        KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4:
+        KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4 gravity 5:
             "more than one coefficient of friction fits: under falling friction the result has \
              the largest, which a contact has whose slip grows from rest, and an estimate is \
              the smallest";
-        KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5:
+        KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5 gravity 6:
             "an iteration ended before its result was accurate to rounding";
-        KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6:
+        KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6 gravity 4:
             "the contact sticks, so that the measured force gives only a lower bound of friction",
             "measure at larger creepage";
-        KSTRIP_WARNING_CREEPAGE_AT_LEAST CreepageAtLeast = 7:
+        KSTRIP_WARNING_CREEPAGE_AT_LEAST CreepageAtLeast = 7 gravity 4:
             "the requested force is that of full sliding, which every larger creepage gives as \
              well";
-        KSTRIP_WARNING_PRESSURE Pressure = 8:
+        KSTRIP_WARNING_PRESSURE Pressure = 8 gravity IMPLAUSIBLE:
             "implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the \
              load (N) or the semi-axes (m) are probably in another unit";
-        KSTRIP_WARNING_CREEPAGE Creepage = 9:
+        KSTRIP_WARNING_CREEPAGE Creepage = 9 gravity IMPLAUSIBLE:
             "implausible creepage, above 10: it is probably in per cent, or the contact hardly \
              rolls (at low speed use slip velocities)";
-        KSTRIP_WARNING_SEMI_AXIS SemiAxis = 10:
+        KSTRIP_WARNING_SEMI_AXIS SemiAxis = 10 gravity IMPLAUSIBLE:
             "implausible semi-axis, above 1 m: it is probably in mm";
-        KSTRIP_WARNING_SPIN_UNIT Spin = 11:
+        KSTRIP_WARNING_SPIN_UNIT Spin = 11 gravity IMPLAUSIBLE:
             "implausible spin, larger than rolling bodies of this curvature can have: it is \
              probably in degrees per metre";
-        KSTRIP_WARNING_FRICTION Friction = 12:
+        KSTRIP_WARNING_FRICTION Friction = 12 gravity IMPLAUSIBLE:
             "implausible coefficient of friction, above 5: it is probably in per cent";
-        KSTRIP_WARNING_RADIUS Radius = 13:
+        KSTRIP_WARNING_RADIUS Radius = 13 gravity IMPLAUSIBLE:
             "implausible radii, larger than 5 m in both directions: they are probably in mm";
-        KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14:
+        KSTRIP_WARNING_AXIS_RATIO AxisRatio = 14 gravity 1:
             "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made",
             "the result is bounded by mu N and has the right limits";
-        KSTRIP_WARNING_MISMATCH Mismatch = 15:
+        KSTRIP_WARNING_MISMATCH Mismatch = 15 gravity 1:
             "the mismatch of the materials exceeds 0.25, where the model was not compared with \
              its reference, and the result is bounded by mu N";
-        KSTRIP_WARNING_MISMATCH_NEGLECTED MismatchNeglected = 16:
+        KSTRIP_WARNING_MISMATCH_NEGLECTED MismatchNeglected = 16 gravity 1:
             "the theory of 1967 neglects the mismatch of the materials",
             "use another model, or set it to 0";
-        KSTRIP_WARNING_CONFORMAL Conformal = 17:
+        KSTRIP_WARNING_CONFORMAL Conformal = 17 gravity 1:
             "a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies \
              are not half-spaces, and the result is that of half-spaces";
-        KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19:
+        KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19 gravity 2:
             "the normal turns by more than 30 degrees over a contact of a wheel, so that one \
              plane of contact is not enough: forces may be off by some tenths of mu N";
-        KSTRIP_WARNING_PROFILE_END ProfileEnd = 18:
+        KSTRIP_WARNING_PROFILE_END ProfileEnd = 18 gravity 2:
             "a zone of contact ends with the profile, as if the bodies ended there",
             "unless they do, pass more of the profile";
-        KSTRIP_WARNING_UNDETERMINED Undetermined = 20:
+        KSTRIP_WARNING_UNDETERMINED Undetermined = 20 gravity 4:
             "the measured points do not determine each parameter of a law",
             "fit fewer, or measure at other creepages";
-        KSTRIP_WARNING_ORIENTATION Orientation = 21:
+        KSTRIP_WARNING_ORIENTATION Orientation = 21 gravity IMPLAUSIBLE:
             "implausible profile, upside down or the wrong way round, or a contact of a wheel \
              above 30 degrees: z must point down, and the flange of a wheel and the gauge side of \
              a rail lie at small y";
-        KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22:
+        KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22 gravity IMPLAUSIBLE:
             "implausible profile, longer than 1 m: it is probably in mm";
-        KSTRIP_WARNING_MODULUS Modulus = 23:
+        KSTRIP_WARNING_MODULUS Modulus = 23 gravity IMPLAUSIBLE:
             "implausible shear modulus, below 0.1 MPa: it is probably in MPa or GPa";
-        KSTRIP_WARNING_UNSET Unset = 24:
+        KSTRIP_WARNING_UNSET Unset = 24 gravity IMPLAUSIBLE:
             "friction and Poisson's ratio of a wheel and a rail are both 0",
             "set them, or one of them if this is meant";
-        KSTRIP_WARNING_SUPPORT Support = 25:
+        KSTRIP_WARNING_SUPPORT Support = 25 gravity 5:
             "no ordinary contact supports the wheel: the support falls with depth on the way to \
              this height, because friction pulls the wheel down, or the peak pressure exceeds a \
              twentieth of the shear modulus",
             "check velocity, friction and load";
-        KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26:
+        KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26 gravity 2:
             "a contact of a wheel is less than four distances of the points of a profile wide, \
              so that the pressure depends on the shape between the points",
             "pass more points";
@@ -289,43 +301,6 @@ impl Warning {
     #[must_use]
     pub const fn is_implausible(self) -> bool {
         self.gravity() == IMPLAUSIBLE
-    }
-
-    /// The more serious one. A warning that the result may be another one is more serious than one
-    /// of implausible inputs, and that is more serious than one of inputs outside the range of the
-    /// model. Of two that are equally serious the one with the larger code is returned.
-    #[must_use]
-    pub const fn worse(self, other: Self) -> Self {
-        let (own, of_other) = (self.gravity(), other.gravity());
-        let graver = of_other > own || (of_other == own && other.code() > self.code());
-        if graver { other } else { self }
-    }
-
-    /// Seriousness of the warning: of two warnings the one with the larger number is returned.
-    const fn gravity(self) -> i32 {
-        match self {
-            Self::NotConverged => 6,
-            Self::SeveralFrictions | Self::Support => 5,
-            Self::FrictionAtLeast | Self::CreepageAtLeast | Self::Undetermined => 4,
-            Self::Pressure
-            | Self::Creepage
-            | Self::SemiAxis
-            | Self::Spin
-            | Self::Friction
-            | Self::Radius
-            | Self::Orientation
-            | Self::ProfileSize
-            | Self::Modulus
-            | Self::Unset => IMPLAUSIBLE,
-            Self::BeyondFriction | Self::AngleRange | Self::ProfileEnd | Self::ProfileCoarse => 2,
-            Self::OutsideRange
-            | Self::SpinBeyondTheory
-            | Self::AxisRatio
-            | Self::Mismatch
-            | Self::MismatchNeglected
-            | Self::Conformal => 1,
-            Self::None => 0,
-        }
     }
 }
 

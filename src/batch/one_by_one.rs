@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
-use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
+use crate::forces::derivatives::Derivatives;
 use crate::forces::options::{Options, Solution};
 use crate::friction::derivatives::{self, Differentiated, LawDerivatives};
 use crate::friction::{InMotion, SlipFriction};
@@ -26,9 +26,7 @@ pub(crate) struct Gathered<'a, F: Float> {
     pub(crate) friction: F,
     pub(crate) derivatives: &'a Derivatives<F>,
     pub(super) creepage: &'a Creepage<F>,
-    /// `κ dF/dκ` \[N, N, N m\]
-    pub(super) by_mismatch: &'a [F; 3],
-    /// By the parameters of the law where there is one.
+    /// By the parameters of the law; `None` for like materials under constant friction.
     pub(super) law: Option<&'a LawDerivatives<F>>,
 }
 
@@ -36,7 +34,7 @@ impl<F: Float> Gathered<'_, F> {
     /// Derivatives with respect to the parameters of the law, or those of constant friction.
     pub(crate) fn law(&self) -> LawDerivatives<F> {
         self.law.copied().unwrap_or_else(|| {
-            derivatives::without_law(self.derivatives, *self.by_mismatch, self.creepage)
+            derivatives::without_law(self.derivatives, [F::zero(); 3], self.creepage)
         })
     }
 }
@@ -73,30 +71,13 @@ pub(crate) fn differentiate_each<F: Float>(
         let (contact, creepage, law) = get(i);
         let creepage = &creepage;
         // By reference: avoids a copy on the stack.
-        let warning = match law {
-            None => {
-                let found = solve_with_slopes(&contact, creepage, options);
-                let (solution, slopes) = found.as_ref().map_err(|error| *error)?;
-                let Slopes { derivatives, by_mismatch, .. } = slopes;
-                let friction = contact.friction;
-                put(
-                    i,
-                    &Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None },
-                );
-                solution.warning
-            }
-            Some(law) => {
-                let motion = InMotion { creepage, law: Some(&law), options };
-                let found = motion.differentiate(&contact);
-                let found = found.as_ref().map_err(|error| *error)?;
-                let Differentiated { solution, friction, derivatives, law, by_mismatch } = found;
-                let (friction, law) = (*friction, Some(law));
-                put(i, &Gathered { solution, friction, derivatives, creepage, by_mismatch, law });
-                solution.warning
-            }
-        };
-        if warning != Warning::None {
-            worst = worst.worse(warning);
+        let found = InMotion { creepage, law: law.as_ref(), options }.differentiate(&contact);
+        let Differentiated { solution, friction, derivatives, law, .. } =
+            found.as_ref().map_err(|error| *error)?;
+        let (friction, law) = (*friction, Some(law));
+        put(i, &Gathered { solution, friction, derivatives, creepage, law });
+        if solution.warning != Warning::None {
+            worst = worst.worse(solution.warning);
         }
         Ok(())
     })?;

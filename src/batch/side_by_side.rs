@@ -209,19 +209,8 @@ macro_rules! compiled_for {
                         let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
                         let solution = &together.solution_of(k);
                         worst = worst.worse(solution.warning);
-                        let by_mismatch = &[F::zero(); 3];
                         let law = None;
-                        put(
-                            i,
-                            &Gathered {
-                                solution,
-                                friction,
-                                derivatives,
-                                creepage,
-                                by_mismatch,
-                                law,
-                            },
-                        );
+                        put(i, &Gathered { solution, friction, derivatives, creepage, law });
                     }
                 }
                 Ok(worst.worse($narrower::differentiate_each(end..numbers.end, options, get, put)?))

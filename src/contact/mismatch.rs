@@ -96,12 +96,6 @@ pub(crate) fn seen<T: Number>(
     Creepage { longitudinal, ..*creepage }
 }
 
-/// `Δυx` of the linear theory, which has adhesion everywhere.
-#[inline]
-pub(crate) fn linear_shift<F: Real>(axis_ratio: F, strain: F) -> F {
-    -(full_adhesion(axis_ratio) * strain)
-}
-
 /// `c'` of full adhesion.
 #[inline]
 fn full_adhesion<F: Real>(axis_ratio: F) -> F {
@@ -155,9 +149,9 @@ impl<F: Float> Shift<F> {
         }
     }
 
-    /// The shift of the linear theory.
+    /// The shift of the linear theory, which has adhesion everywhere.
     pub(crate) fn linear(contact: &Contact<F>) -> Self {
-        let value = linear_shift(contact.a / contact.b, contact.strain());
+        let value = -(full_adhesion(contact.a / contact.b) * contact.strain());
         Self { value, by_creepage: [F::zero(); 3], by_mismatch: value }
     }
 }

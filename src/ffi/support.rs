@@ -23,7 +23,7 @@ pub(super) use crate::normal::Indentation;
 pub(super) use crate::number::{Float, are_finite};
 pub(super) use crate::patch::PatchStrip;
 pub(super) use crate::patch::field::PatchField;
-pub(super) use crate::rig::fit::{Fitted, FrictionFit, MeasuredForce};
+pub(super) use crate::rig::fit::{FrictionFit, MeasuredForce};
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::status::{Error, Warning, kstrip_status};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};

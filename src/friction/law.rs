@@ -14,7 +14,7 @@ use crate::status::Error;
 /// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
 /// wet 0.3, 0.4, 0.2 s/m.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlipFriction<F> {
     /// Coefficient of friction without slip \[-\], >= 0.
     pub friction: F,
@@ -91,16 +91,7 @@ impl<F: Float> SlipFriction<F> {
     /// Constant friction, clean bodies.
     #[must_use]
     pub fn of_constant(friction: F) -> Self {
-        let zero = F::zero();
-        Self {
-            friction,
-            ratio: F::one(),
-            decay: zero,
-            rolling_speed: zero,
-            slope_factor: zero,
-            slide_factor: zero,
-            layer: zero,
-        }
+        Self { friction, ratio: F::one(), ..Self::default() }
     }
 
     /// The derivatives of `μ = μ₀ ((1 − A) exp(−B V s) + A)`.

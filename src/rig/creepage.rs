@@ -97,7 +97,7 @@ pub fn creepage_for_force<F: Float>(
     law: Option<&SlipFriction<F>>,
     options: &Options,
 ) -> Result<(Creepage<F>, Warning), Error> {
-    let none = Creepage { longitudinal: F::zero(), lateral: F::zero(), spin };
+    let none = Creepage { spin, ..Creepage::default() };
     InMotion { creepage: &none, law, options }.check(contact)?;
     let contact = &law.map_or(*contact, |law| Contact { friction: law.friction, ..*contact });
     let [fx, fy] = force;

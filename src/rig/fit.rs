@@ -355,7 +355,6 @@ impl<'a, F: Float> Fit<'a, F> {
             errors = variances.map(|variance| (variance * left).max(zero).sqrt().min(F::HUGE));
         }
         errors = errors.zip_map(&self.units, |error, unit| (error * unit).min(F::HUGE));
-        let nothing = SlipFriction { ratio: zero, ..SlipFriction::of_constant(zero) };
         let warning = if !settled {
             Warning::NotConverged
         } else if !tells {
@@ -365,7 +364,7 @@ impl<'a, F: Float> Fit<'a, F> {
         };
         FrictionFit {
             law: self.law(at),
-            standard_errors: with_parameters(&nothing, errors),
+            standard_errors: with_parameters(&SlipFriction::default(), errors),
             residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
             steps: steps as u32,
             warning,

@@ -241,7 +241,8 @@ pub fn statuses(tables: &str) -> String {
     for entry in tables.split("\n        KSTRIP_").skip(1) {
         let (names, texts) = entry.split_once(':').expect("a colon");
         let mut names = names.split_whitespace();
-        let (name, number) = names.next().zip(names.next_back()).expect("names and a number");
+        // NAME Variant = number
+        let (name, number) = names.next().zip(names.nth(2)).expect("a name and a number");
         let means = texts.split('"').nth(1).expect("a text").replace("\\\n", "");
         let kind = name.split('_').next().expect("a kind");
         let kind = kind[..1].to_owned() + &kind[1..].to_lowercase();

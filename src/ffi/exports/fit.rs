@@ -3,20 +3,6 @@
 use super::F;
 use crate::ffi::support::*;
 
-/// Which parameters are fitted.
-fn fitted(parameters: u32) -> Result<Fitted, Error> {
-    Error::FitParameters.unless(parameters < 2 * KSTRIP_FIT_LAYER)?;
-    let parts = [
-        KSTRIP_FIT_FRICTION,
-        KSTRIP_FIT_RATIO,
-        KSTRIP_FIT_DECAY,
-        KSTRIP_FIT_SLOPE_FACTOR,
-        KSTRIP_FIT_SLIDE_FACTOR,
-        KSTRIP_FIT_LAYER,
-    ];
-    Ok(parts.map(|part| parameters & part != 0))
-}
-
 /// The law of friction that comes nearest to a measured creep curve.
 ///
 /// The sum of the squared differences between measured and computed forces, each times the weight
@@ -59,9 +45,13 @@ pub unsafe extern "C" fn kstrip_fit_friction(
     answer(|| {
         let (contact, start, fit) = (given(contact)?, given(start)?, given(fit)?);
         let (points, options) = (points?, for_forces(options)?);
-        let found = fitted(parameters)
-            .map_err(|error| (points.len(), error))
-            .and_then(|fitted| rig::fit::fit_friction(contact, points, start, fitted, &options));
+        // The KSTRIP_FIT constants are the bits in the order of the parameters.
+        let fitted = [0, 1, 2, 3, 4, 5].map(|bit| parameters & (1 << bit) != 0);
+        let found = if parameters < 2 * KSTRIP_FIT_LAYER {
+            rig::fit::fit_friction(contact, points, start, fitted, &options)
+        } else {
+            Err((points.len(), Error::FitParameters))
+        };
         put(first_bad, found.as_ref().err().map_or(count, |(i, _)| *i as u32));
         let found = found.map_err(|(_, error)| error)?;
         fit.write(found);
