@@ -69,10 +69,7 @@ typedef int32_t kstrip_status;
  * continuation by this library: finite, continuous and bounded by mu N.
  */
 #define KSTRIP_WARNING_SPIN 1
-/**
- * Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT, and the
- * result is bounded by mu N.
- */
+/** Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
@@ -108,10 +105,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FRICTION 12
 /** Warning: implausible radii, larger than 5 m in both directions: they are probably in mm. */
 #define KSTRIP_WARNING_RADIUS 13
-/**
- * Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made, and
- * the result has the right limits.
- */
+/** Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /**
  * Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its
