@@ -19,6 +19,14 @@ const LESS: f64 = 0.7;
 /// slip may fall a little faster.)
 const STEEP: f64 = 0.75;
 
+/// Where `g` rises by more than this at a solution that a plain step has passed, others are looked
+/// for: at so many places before it, and by so many parabolas where `g(μ) − μ` is small between
+/// two of them. Its slope is taken over this part of the way.
+const RISES: f64 = 0.4;
+const PLACES: usize = 24;
+const PARABOLAS: usize = 3;
+const ASIDE: f64 = 1e-2;
+
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
     pub law: &'a SlipFriction<F>,
@@ -115,10 +123,9 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
             let far_step = (self.next)(far)? - far;
             if far_step * step <= F::zero() {
                 // Passed it, or rounding turned round what is monotone: it lies between.
-                let (low, high, error) =
-                    if far > friction { (friction, far, far_step) } else { (far, friction, step) };
-                let between = Bracket { positive: low, negative: high };
-                return self.between(between, error, between.ratio_middle());
+                let found = self.within([friction, step], [far, far_step])?;
+                let plain = ratio == F::zero() && (far - friction).abs() > friction.times(1e-3);
+                return if plain { self.nearest([friction, step], found) } else { Ok(found) };
             }
             let slope = (far_step - step) / (far - friction);
             ratio = slope.plus(1.0).clamped(F::zero(), F::one() - caution);
@@ -126,5 +133,57 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
             (friction, step) = (far, far_step);
         }
         Ok((friction, false))
+    }
+
+    /// A solution between two places, each with its `g(μ) − μ`.
+    fn within(&self, from: [F; 2], to: [F; 2]) -> Result<(F, bool), Error> {
+        let [low, high] = if to[0] > from[0] { [from, to] } else { [to, from] };
+        let between = Bracket { positive: low[0], negative: high[0] };
+        self.between(between, high[1], between.ratio_middle())
+    }
+
+    /// The solution nearest to a place, with its `g(μ) − μ`, of which a plain step has passed one.
+    ///
+    /// Where `g` rises with the friction, as that of strips, such a step passes none. That of TOTAL
+    /// may fall: one solution is passed. Where it falls and rises again up to that one, there may
+    /// be two before.
+    fn nearest(&self, from: [F; 2], passed: (F, bool)) -> Result<(F, bool), Error> {
+        let at = |x: F| Ok([x, (self.next)(x)? - x]);
+        let way = passed.0 - from[0];
+        let end = at(passed.0 - way.times(ASIDE))?;
+        // (1 − g' there)
+        if end[1].abs() >= way.abs().times(ASIDE * (1.0 - RISES)) {
+            return Ok(passed);
+        }
+        let is_before = |[_, error]: [F; 2]| error * from[1] <= F::zero();
+        let [mut before, mut last] = [from; 2];
+        for i in 1..=PLACES {
+            let here = at(from[0] + way.times(i as f64 / PLACES as f64 * (1.0 - ASIDE)))?;
+            if is_before(here) {
+                return self.within(last, here);
+            }
+            let [mut a, mut b, mut c] = [before, last, here];
+            for _ in 0..PARABOLAS {
+                if !(b[1].abs() < a[1].abs() && b[1].abs() <= c[1].abs()) {
+                    break;
+                }
+                // The vertex of the parabola through three places
+                let [to_a, to_c] = [b[0] - a[0], b[0] - c[0]];
+                let [by_a, by_c] = [to_a * (b[1] - c[1]), to_c * (b[1] - a[1])];
+                let least = at(b[0] - (to_a * by_a - to_c * by_c) / (by_a - by_c).times(2.0))?;
+                if is_before(least) {
+                    return self.within(a, least);
+                }
+                let is_beyond = (least[0] - b[0]) * to_a > F::zero();
+                [a, b, c] = match (is_beyond, least[1].abs() < b[1].abs()) {
+                    (true, true) => [b, least, c],
+                    (true, false) => [a, b, least],
+                    (false, true) => [a, least, b],
+                    (false, false) => [least, b, c],
+                };
+            }
+            (before, last) = (last, here);
+        }
+        Ok(passed)
     }
 }

@@ -357,20 +357,20 @@ fn several_solutions_of_total_are_noticed() {
     let m = Creepage { longitudinal, lateral, spin };
     let o = theory::sixteen(Model::Total);
     let mut noticed = 0;
-    for step in 0..8 {
-        let normal_force = 3.782e3 + 6.0 * f64::from(step);
+    for step in 0..16 {
+        let normal_force = 3.782e3 + 3.0 * f64::from(step);
         let c = Contact { a: 1.896e-3, b: 1.221_394e-2, normal_force, friction: 0.3, ..C0 };
         let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let all = solutions(&c, &m, &law, &o, 2e-3);
         assert!((found.friction / all[0] - 1.0).abs() < 1e-6, "{} {all:?}", found.friction);
         let several = found.solution.warning == Warning::SeveralFrictions;
         // (two that are nearly one may be passed)
-        let apart = all.len() > 2 && all.windows(2).all(|pair| pair[1] < 0.98 * pair[0]);
+        let apart = all.len() > 2 && all.windows(2).all(|pair| pair[1] < 0.99 * pair[0]);
         assert!(several || !apart, "{normal_force} {all:?}");
         assert!(!several || all.len() > 2, "{normal_force} {all:?}");
         noticed += usize::from(several);
     }
-    assert!((2..8).contains(&noticed), "{noticed}");
+    assert!((8..11).contains(&noticed), "{noticed}");
 }
 
 /// Without load, without friction, without anything left of friction: zero forces, no NaN.
