@@ -49,7 +49,7 @@ pub fn strips_of<F: Float>(
     creepage: &Creepage<F>,
     options: &Options,
 ) -> Result<usize, Error> {
-    Error::NotInModel.unless(!matches!(options.model, Model::Total | Model::Linear))?;
+    Error::NotInModel.when(matches!(options.model, Model::Total | Model::Linear))?;
     check(contact, creepage, options)?;
     Ok(if contact.is_lost() { 0 } else { options.strips as usize })
 }
@@ -65,9 +65,7 @@ pub fn strips<F: Float>(
     options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    Error::NotInModel.unless(!matches!(options.model, Model::Total | Model::Linear))?;
-    check(contact, creepage, options)?;
-    if contact.is_lost() {
+    if strips_of(contact, creepage, options)? == 0 {
         return Ok(Warning::None);
     }
     let frame = ScaledContact::new(contact);
@@ -85,7 +83,7 @@ pub fn strips<F: Float>(
             fx,
             fy,
             mz,
-            power: fx * creepage.longitudinal + fy * creepage.lateral + mz * creepage.spin,
+            power: creepage.power([fx, fy, mz]),
             state: if strip.adheres { State::Stick } else { State::Slip },
             reserved: 0,
         });

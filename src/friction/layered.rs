@@ -353,8 +353,7 @@ impl<F: Float> ThroughLayer<'_, F> {
         contact: &Contact<F>,
         visit: &mut dyn FnMut(StripResult<F>),
     ) -> Result<Warning, Error> {
-        forces::strips_of(contact, self.creepage, self.options)?;
-        if contact.is_lost() {
+        if forces::strips_of(contact, self.creepage, self.options)? == 0 {
             return Ok(Warning::None);
         }
         let (layer, split, seen, has_bristles) = self.split_of(contact);
