@@ -205,8 +205,8 @@ fn differentiated<F: Float, M: Theory<F>>(
     } else {
         with_slopes(&theory, frame, &seen)
     };
-    let forces = M::at_rest(&seen).unwrap_or(forces);
-    let solution = M::solution(frame, &seen, &forces, psi, ordinary);
+    let forces = Forces::at_rest(&seen, M::MODEL).unwrap_or(forces);
+    let solution = frame.solution(M::MODEL, &seen, &forces, psi, ordinary);
     if let Some(shift) = shift {
         through_shift(&mut derivatives, &shift, creepage, &frame.contact);
     }

@@ -9,7 +9,7 @@ use crate::contact::totals::StripCount;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::theory::{
-    EllipseStrips, Linear, ScaledContact, Strip1967, Theory, Total, sliding_rule,
+    EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total, sliding_rule,
 };
 use crate::number::Float;
 use crate::status::Error;
@@ -130,9 +130,9 @@ impl<F: Float> Prepared<F> {
         if Model::HAS_LINEAR && quick && self.model == Model::Linear as i32 {
             Error::NotPrepared.unless(found == mark(Model::Linear))?;
             let linear: &Linear<F> = self.part::<_, KNOWN>();
-            let forces =
-                Linear::at_rest(creepage).unwrap_or_else(|| linear.forces(frame, creepage).0);
-            return Ok(Linear::solution(frame, creepage, &forces, F::zero(), true));
+            let forces = Forces::at_rest(creepage, Model::Linear)
+                .unwrap_or_else(|| linear.forces(frame, creepage).0);
+            return Ok(frame.solution(Model::Linear, creepage, &forces, F::zero(), true));
         }
         let mut solution = Solution::default();
         self.solve_by_model(creepage, quick, &mut solution)?;
@@ -160,17 +160,18 @@ impl<F: Float> Prepared<F> {
         }
         *solution = match model {
             Model::Linear if Model::HAS_LINEAR => {
-                self.part::<Linear<F>, KNOWN>().answer(frame, creepage, ordinary)
+                frame.answer(self.part::<Linear<F>, KNOWN>(), creepage, ordinary)
             }
             Model::Total if Model::HAS_TOTAL => {
-                self.part::<Total<F>, KNOWN>().answer(frame, creepage, ordinary)
+                frame.answer(self.part::<Total<F>, KNOWN>(), creepage, ordinary)
             }
             Model::Strip if Model::HAS_STRIP => {
                 let contact = *self.part::<Flexibilities<F>, KNOWN>();
-                EllipseStrips::from_prepared(contact, strips).answer(frame, creepage, ordinary)
+                let theory = EllipseStrips::from_prepared(contact, strips);
+                frame.answer(&theory, creepage, ordinary)
             }
             Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                Strip1967(sliding_rule(model)).answer(frame, creepage, ordinary)
+                frame.answer(&Strip1967(sliding_rule(model)), creepage, ordinary)
             }
             _ => return Err(Error::NotPrepared),
         };

@@ -95,7 +95,7 @@ pub(crate) fn solution_of<F: Float, M: Theory<F>>(
         return Ok(Solution::default());
     }
     let frame = &ScaledContact::new(contact);
-    Ok(M::of_contact(frame, options).answer(frame, creepage, ordinary))
+    Ok(frame.answer(&M::of_contact(frame, options), creepage, ordinary))
 }
 
 /// A contact in the units of the theory: numbers only.
@@ -115,30 +115,6 @@ impl<F: Real> ScaledContact<F> {
         Self { contact: *contact, radius: root_a * root_b, units: Units::new(contact) }
     }
 
-    /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
-    /// like bodies and in the theory of 1967.
-    #[inline(always)]
-    pub(crate) fn seen(
-        &self,
-        creepage: &Creepage<F>,
-        model: Model,
-    ) -> (Creepage<F>, Option<Shift<F>>)
-    where
-        F: Float,
-    {
-        if self.contact.mismatch == F::zero() || model.is_of_1967() {
-            return (*creepage, None);
-        }
-        // (Copies, here and below: otherwise all numbers of the frame are stored, needed or not.)
-        let (contact, units) = (self.contact, self.units);
-        let shift = match model {
-            Model::Linear => Shift::linear(&contact),
-            _ => Shift::new(&contact, &units, creepage),
-        };
-        let longitudinal = creepage.longitudinal + shift.value;
-        (Creepage { longitudinal, ..*creepage }, Some(shift))
-    }
-
     /// `a/b` and `ν`, and the coefficients for them.
     #[inline(always)]
     pub(crate) fn shape(&self) -> (F, F, LinearCoefficients<F>) {
@@ -155,12 +131,90 @@ impl<F: Real> ScaledContact<F> {
     }
 }
 
+impl<F: Float> ScaledContact<F> {
+    /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
+    /// like bodies and in the theory of 1967.
+    #[inline(always)]
+    pub(crate) fn seen(
+        &self,
+        creepage: &Creepage<F>,
+        model: Model,
+    ) -> (Creepage<F>, Option<Shift<F>>) {
+        if self.contact.mismatch == F::zero() || model.is_of_1967() {
+            return (*creepage, None);
+        }
+        // (Copies, here and below: otherwise all numbers of the frame are stored, needed or not.)
+        let (contact, units) = (self.contact, self.units);
+        let shift = match model {
+            Model::Linear => Shift::linear(&contact),
+            _ => Shift::new(&contact, &units, creepage),
+        };
+        let longitudinal = creepage.longitudinal + shift.value;
+        (Creepage { longitudinal, ..*creepage }, Some(shift))
+    }
+
+    /// The solution for a loaded contact and a creepage that have been checked.
+    #[inline(always)]
+    pub(crate) fn answer<M: Theory<F>>(
+        &self,
+        theory: &M,
+        creepage: &Creepage<F>,
+        ordinary: bool,
+    ) -> Solution<F> {
+        let (seen, _) = &self.seen(creepage, M::MODEL);
+        let (forces, psi) = match Forces::at_rest(seen, M::MODEL) {
+            Some(none) => (none, F::zero()),
+            None => theory.forces(self, seen),
+        };
+        self.solution(M::MODEL, seen, &forces, psi, ordinary)
+    }
+
+    /// Forces with power and warning.
+    #[inline(always)]
+    pub(crate) fn solution(
+        &self,
+        model: Model,
+        creepage: &Creepage<F>,
+        forces: &Forces<F>,
+        psi: F,
+        ordinary: bool,
+    ) -> Solution<F> {
+        let of_model = if model == Model::Linear {
+            linear_warning_of(forces.fx, forces.fy, self.contact.friction_bound())
+        } else {
+            saturating_warning(model, &self.contact, self.units.axis_ratio, psi)
+        };
+        let warning = if ordinary {
+            of_model
+        } else {
+            let (contact, seen) = (self.contact, *creepage);
+            warned(&contact, &seen, of_model)
+        };
+        let Forces { fx, fy, mz, adhesion } = *forces;
+        let power = creepage.power([fx, fy, mz]);
+        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
+    }
+}
+
 /// Forces in newtons, moment in newton metres, share in adhesion.
 pub(crate) struct Forces<T> {
     pub(crate) fx: T,
     pub(crate) fy: T,
     pub(crate) mz: T,
     pub(crate) adhesion: T,
+}
+
+impl<F: Float> Forces<F> {
+    /// The forces without creepage: zero, with adhesion everywhere, which TOTAL does not compute.
+    /// `None` if there is creepage.
+    #[inline(always)]
+    pub(crate) fn at_rest(creepage: &Creepage<F>, model: Model) -> Option<Self> {
+        let zero = F::zero();
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        let rests = longitudinal == zero && lateral == zero && spin == zero;
+        let adhesion = if model == Model::Total { -F::one() } else { F::one() };
+        rests.then_some(Self { fx: zero, fy: zero, mz: zero, adhesion })
+    }
 }
 
 /// A model, ready for the creepages of one contact.
@@ -191,67 +245,6 @@ pub(crate) trait Theory<F: Real>: Copy {
     fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
         let parameters = frame.units.parameters(creepage);
         (frame.in_newtons(self.model_totals(frame, &parameters)), parameters.psi)
-    }
-
-    /// The forces without creepage: zero, with adhesion everywhere, which TOTAL does not compute.
-    /// `None` if there is creepage.
-    #[inline(always)]
-    fn at_rest(creepage: &Creepage<F>) -> Option<Forces<F>>
-    where
-        F: Float,
-    {
-        let zero = F::zero();
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let rests = longitudinal == zero && lateral == zero && spin == zero;
-        let adhesion = if Self::MODEL == Model::Total { -F::one() } else { F::one() };
-        rests.then_some(Forces { fx: zero, fy: zero, mz: zero, adhesion })
-    }
-
-    /// The solution for a loaded contact and a creepage that have been checked.
-    #[inline(always)]
-    fn answer(
-        &self,
-        frame: &ScaledContact<F>,
-        creepage: &Creepage<F>,
-        ordinary: bool,
-    ) -> Solution<F>
-    where
-        F: Float,
-    {
-        let (seen, _) = &frame.seen(creepage, Self::MODEL);
-        let (forces, psi) = match Self::at_rest(seen) {
-            Some(none) => (none, F::zero()),
-            None => self.forces(frame, seen),
-        };
-        Self::solution(frame, seen, &forces, psi, ordinary)
-    }
-
-    /// Forces with power and warning.
-    #[inline(always)]
-    fn solution(
-        frame: &ScaledContact<F>,
-        creepage: &Creepage<F>,
-        forces: &Forces<F>,
-        psi: F,
-        ordinary: bool,
-    ) -> Solution<F>
-    where
-        F: Float,
-    {
-        let of_model = if Self::MODEL == Model::Linear {
-            linear_warning_of(forces.fx, forces.fy, frame.contact.friction_bound())
-        } else {
-            saturating_warning(Self::MODEL, &frame.contact, frame.units.axis_ratio, psi)
-        };
-        let warning = if ordinary {
-            of_model
-        } else {
-            let (contact, seen) = (frame.contact, *creepage);
-            warned(&contact, &seen, of_model)
-        };
-        let Forces { fx, fy, mz, adhesion } = *forces;
-        let power = creepage.power([fx, fy, mz]);
-        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
 

@@ -222,7 +222,7 @@ fn solve_in<F: Float, M: Theory<F>>(
     }
     let frame = &ScaledContact::new(contact);
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
-    Ok(layered.answer(frame, through.creepage, ordinary))
+    Ok(frame.answer(&layered, through.creepage, ordinary))
 }
 
 fn differentiate_in<F: Float, M: Theory<F>>(
@@ -241,8 +241,8 @@ fn differentiate_in<F: Float, M: Theory<F>>(
     } else {
         layered.with_slopes(frame, &seen)
     };
-    let forces = M::at_rest(&seen).unwrap_or(forces);
-    let solution = M::solution(frame, &seen, &forces, psi, ordinary);
+    let forces = Forces::at_rest(&seen, M::MODEL).unwrap_or(forces);
+    let solution = frame.solution(M::MODEL, &seen, &forces, psi, ordinary);
     if let Some(shift) = shift {
         through_shift(&mut derivatives, &shift, through.creepage, contact);
     }
