@@ -86,17 +86,6 @@ pub fn hertz<F: Float>(
 ///
 /// # Errors
 /// Those of [`hertz`] and of [`Contact::check`].
-///
-/// # Example
-/// ```
-/// use kstrip::contact::{hertz::{from_hertz, Radii}, material::{combine, Material}};
-/// let steel = Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
-/// let flat = f64::INFINITY;
-/// let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
-/// let (contact, hertz, _) = from_hertz(&radii, &combine(&steel, &steel)?, 80e3, 0.3)?;
-/// assert!(contact.a > contact.b && hertz.approach < 1e-4);
-/// # Ok::<(), kstrip::status::Error>(())
-/// ```
 pub fn from_hertz<F: Float>(
     radii: &Radii<F>,
     pair: &CombinedMaterial<F>,
