@@ -62,14 +62,8 @@ const TAKEN: f64 = 1e4;
 /// Under a law the contact's own coefficient of friction is ignored. Where friction falls with the
 /// slip, a force that is too large is not reached: [`Warning::NotConverged`].
 ///
-/// With [`Warning::CreepageAtLeast`] the force is within 0.1 % of `μ N`: the result is where it
-/// comes as near as that, and larger creepages do as well.
-///
-/// The search mostly needs five solutions with derivatives, and more than 12 for about one of ten
-/// thousand plausible contacts, near `μ N` (14 with [`Model::Strip1967`], whose force jumps). It
-/// ends after 40 with [`Warning::NotConverged`] and the nearest creepage that was found. Where spin
-/// keeps the force nearly constant over a range of creepages, more than one creepage may give it,
-/// and the result is one of them.
+/// The comment of `kstrip_creepage_for_force` tells what the warnings mean, which creepage is found
+/// where there are several, and how many solutions the search needs.
 ///
 /// # Errors
 /// Those of [`forces_of_contact`](crate::forces::forces_of_contact) and [`SlipFriction::check`],

@@ -39,16 +39,8 @@ const ROUNDINGS: f64 = 32.0;
 /// The contact's own friction is ignored. Forces act on the lower body. Under a law the result is
 /// the coefficient of friction without slip, and the law's own coefficient is ignored.
 ///
-/// With [`Warning::FrictionAtLeast`] the contact sticks (it uses less than a twentieth of its
-/// friction, or the force is larger than that of linear theory): the result is the used friction
-/// `|F|/N`, a lower bound. With [`Warning::SeveralFrictions`] more than one friction explains the
-/// force, which may be where spin opposes the creepage: the result is the smallest. The force of
-/// [`Model::Strip1967`] jumps where adhesion is born: a jump across the measured force counts as
-/// one of several, and is the result only with [`Warning::NotConverged`]. An estimate may miss a
-/// friction: this happened to up to one of ten thousand estimates with each of the models of 1967,
-/// to one of a hundred thousand with [`Model::Strip`], and to none with [`Model::Total`].
-///
-/// At most 90 solutions with derivatives.
+/// The comment of `kstrip_estimate_friction` tells what the warnings mean, which solution is found
+/// where there are several, and how many solutions the search needs.
 ///
 /// # Errors
 /// Those of [`forces_of_contact`](crate::forces::forces_of_contact), [`Error::NotInModel`] for
