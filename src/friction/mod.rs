@@ -29,7 +29,6 @@
 //! the creepage by `1/k` and keeps its shape and its saturation; patch and pressure stay.
 
 mod agreement;
-pub(crate) mod behind;
 pub mod derivatives;
 pub mod field;
 mod law;

@@ -4,7 +4,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
 use crate::friction::SlipFriction;
-use crate::friction::behind::StripBehind;
+use crate::friction::field::StripBehind;
 use crate::number::Float;
 use crate::patch::friction::{FrictionProblem, Scaled};
 use crate::patch::shares::{Seen, ZoneLaw};

@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
-use crate::friction::behind::StripBehind;
+use crate::friction::field::StripBehind;
 use crate::layer::bristles::{Bristles, Rates};
 use crate::layer::{Interface, Layer, Split};
 use crate::linear::LinearCoefficients;
