@@ -64,15 +64,13 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
         // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
         unsafe {
             each_element(count, statuses, |i| {
-                let (pair, position) = (pairs.at(i), positions.at(i));
-                let (velocity, law) = (velocities.at(i), friction.at(i));
                 let status = kstrip_wheel_on_rail(
                     Some(rail),
                     Some(wheel),
-                    pair.as_ref(),
-                    position.as_ref(),
-                    velocity.as_ref(),
-                    law.as_ref(),
+                    pairs.at(i).as_ref(),
+                    positions.at(i).as_ref(),
+                    velocities.at(i).as_ref(),
+                    friction.at(i).as_ref(),
                     Some(memory),
                     element(wrenches, i),
                     element(derivatives, i),
