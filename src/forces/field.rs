@@ -38,8 +38,7 @@ impl<F: Float> FieldPoint<F> {
     #[must_use]
     pub fn new(contact: &Contact<F>, point: &StripPoint<F>) -> Self {
         if contact.is_lost() {
-            let zero = F::zero();
-            return Self::in_units(zero, zero, zero, point);
+            return Self::in_units(F::zero(), F::zero(), F::zero(), point);
         }
         let p0 = contact.peak_pressure();
         Self::in_units(p0, contact.friction * p0, contact.slip_scale(), point)
