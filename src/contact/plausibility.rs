@@ -36,7 +36,7 @@ use core::f64::consts::PI;
 /// Largest plausible `p₀/G`.
 pub(crate) const LARGEST_PRESSURE: f64 = 0.1;
 /// Largest plausible `|υ|`.
-const LARGEST_CREEPAGE: f64 = 10.0;
+pub(crate) const LARGEST_CREEPAGE: f64 = 10.0;
 /// Spin up to which contacts are of the usual sizes \[1/m\].
 const USUAL_SPIN: f64 = 1e4;
 /// Largest plausible `a`, `b` \[m\].

@@ -5,6 +5,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::contact::plausibility::LARGEST_CREEPAGE;
 use crate::contact::totals::StripCount;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Model, Options, Solution};
@@ -41,9 +42,6 @@ const PER_SPIN: usize = 1;
 /// Where the [`ScaledContact`] begins, and then the coefficients of the model.
 const FRAME: usize = 2;
 const KNOWN: usize = 19;
-
-/// `|υ|` up to which no check can fail.
-const QUICK: f64 = 10.0;
 
 /// Structures that consist of numbers, so that any bits are a value of them.
 ///
@@ -96,7 +94,7 @@ impl<F: Float> Prepared<F> {
         let spin = if quick { contact.ordinary_spin() } else { F::zero() };
         let frame = &ScaledContact::new(contact);
         stored.put::<_, MARK>(mark::<F>(model));
-        stored.put::<_, PER_SPIN>(F::constant(QUICK) / spin);
+        stored.put::<_, PER_SPIN>(F::constant(LARGEST_CREEPAGE) / spin);
         stored.put::<_, FRAME>(*frame);
         match model {
             Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {}
@@ -124,7 +122,7 @@ impl<F: Float> Prepared<F> {
         let per_spin: &F = self.part::<_, PER_SPIN>();
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let size = longitudinal.abs() + lateral.abs() + spin.abs() * *per_spin;
-        let quick = size <= F::constant(QUICK);
+        let quick = size <= F::constant(LARGEST_CREEPAGE);
         let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let found = *self.part::<F, MARK>();
         if Model::HAS_LINEAR && quick && self.model == Model::Linear as i32 {
