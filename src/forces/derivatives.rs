@@ -111,11 +111,8 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::Model)
     );
-    if few_are_finite(slopes.derivatives.entries().as_flattened()) {
-        Ok((solution, slopes))
-    } else {
-        Err(Error::Overflow)
-    }
+    Error::Overflow.unless(few_are_finite(slopes.derivatives.entries().as_flattened()))?;
+    Ok((solution, slopes))
 }
 
 /// Derivatives, and the intermediate results for those through friction and motion.
