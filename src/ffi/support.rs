@@ -143,15 +143,12 @@ pub(super) fn put_by_halves<T: Copy>(place: Output<T>, value: &T) {
 /// # Safety
 /// `pointer` is NULL, or valid and aligned for `count` reads while the slice lives.
 pub(super) unsafe fn input<'a, T>(pointer: *const T, count: u32) -> Result<&'a [T], Error> {
-    let count = count as usize;
     if count == 0 {
-        Ok(&[])
-    } else if pointer.is_null() {
-        Err(Error::NullPointer)
-    } else {
-        // SAFETY: the caller's promise.
-        Ok(unsafe { core::slice::from_raw_parts(pointer, count) })
+        return Ok(&[]);
     }
+    Error::NullPointer.when(pointer.is_null())?;
+    // SAFETY: the caller's promise.
+    Ok(unsafe { core::slice::from_raw_parts(pointer, count as usize) })
 }
 
 /// An output array, not yet initialised; may be NULL when it is empty.
@@ -163,15 +160,12 @@ pub(super) unsafe fn output<'a, T>(
     pointer: *mut T,
     count: u32,
 ) -> Result<&'a mut [MaybeUninit<T>], Error> {
-    let count = count as usize;
     if count == 0 {
-        Ok(&mut [])
-    } else if pointer.is_null() {
-        Err(Error::NullPointer)
-    } else {
-        // SAFETY: the caller's promise.
-        Ok(unsafe { core::slice::from_raw_parts_mut(pointer.cast(), count) })
+        return Ok(&mut []);
     }
+    Error::NullPointer.when(pointer.is_null())?;
+    // SAFETY: the caller's promise.
+    Ok(unsafe { core::slice::from_raw_parts_mut(pointer.cast(), count as usize) })
 }
 
 /// The place of an output; `None` if it is not requested.
