@@ -3,7 +3,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
-use crate::forces::derivatives::Derivatives;
+use crate::forces::derivatives::{Derivatives, solve_with_slopes};
 use crate::forces::options::{Options, Solution};
 use crate::friction::derivatives::{self, Differentiated, LawDerivatives};
 use crate::friction::{InMotion, SlipFriction};
@@ -26,7 +26,9 @@ pub(crate) struct Gathered<'a, F: Float> {
     pub(crate) friction: F,
     pub(crate) derivatives: &'a Derivatives<F>,
     pub(super) creepage: &'a Creepage<F>,
-    /// By the parameters of the law; `None` for like materials under constant friction.
+    /// `κ dF/dκ` \[N, N, N m\], of unlike materials.
+    pub(super) by_mismatch: Option<&'a [F; 3]>,
+    /// By the parameters of the law where there is one.
     pub(super) law: Option<&'a LawDerivatives<F>>,
 }
 
@@ -34,7 +36,8 @@ impl<F: Float> Gathered<'_, F> {
     /// Derivatives with respect to the parameters of the law, or those of constant friction.
     pub(crate) fn law(&self) -> LawDerivatives<F> {
         self.law.copied().unwrap_or_else(|| {
-            derivatives::without_law(self.derivatives, [F::zero(); 3], self.creepage)
+            let by_mismatch = self.by_mismatch.copied().unwrap_or_default();
+            derivatives::without_law(self.derivatives, by_mismatch, self.creepage)
         })
     }
 }
@@ -71,13 +74,23 @@ pub(crate) fn differentiate_each<F: Float>(
         let (contact, creepage, law) = get(i);
         let creepage = &creepage;
         // By reference: avoids a copy on the stack.
-        let found = InMotion { creepage, law: law.as_ref(), options }.differentiate(&contact);
-        let Differentiated { solution, friction, derivatives, law, .. } =
-            found.as_ref().map_err(|error| *error)?;
-        let (friction, law) = (*friction, Some(law));
-        put(i, &Gathered { solution, friction, derivatives, creepage, law });
-        if solution.warning != Warning::None {
-            worst = worst.worse(solution.warning);
+        let (plain, under);
+        let found = if law.is_none() {
+            plain = solve_with_slopes(&contact, creepage, options);
+            let (solution, slopes) = plain.as_ref().map_err(|error| *error)?;
+            let (friction, by_mismatch) = (contact.friction, Some(&slopes.by_mismatch));
+            let derivatives = &slopes.derivatives;
+            Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None }
+        } else {
+            under = InMotion { creepage, law: law.as_ref(), options }.differentiate(&contact);
+            let Differentiated { solution, friction, derivatives, law, .. } =
+                under.as_ref().map_err(|error| *error)?;
+            let (friction, law) = (*friction, Some(law));
+            Gathered { solution, friction, derivatives, creepage, by_mismatch: None, law }
+        };
+        put(i, &found);
+        if found.solution.warning != Warning::None {
+            worst = worst.worse(found.solution.warning);
         }
         Ok(())
     })?;

@@ -209,8 +209,16 @@ macro_rules! compiled_for {
                         let (creepage, derivatives) = (&creepage, &lane_of(&slopes, k));
                         let solution = &together.solution_of(k);
                         worst = worst.worse(solution.warning);
-                        let law = None;
-                        put(i, &Gathered { solution, friction, derivatives, creepage, law });
+                        let (by_mismatch, law) = (None, None);
+                        let found = Gathered {
+                            solution,
+                            friction,
+                            derivatives,
+                            creepage,
+                            by_mismatch,
+                            law,
+                        };
+                        put(i, &found);
                     }
                 }
                 Ok(worst.worse($narrower::differentiate_each(end..numbers.end, options, get, put)?))

@@ -36,7 +36,7 @@ use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real, few_are_finite};
+use crate::number::{Float, Real, rows_are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -111,7 +111,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::Model)
     );
-    Error::Overflow.unless(few_are_finite(slopes.derivatives.entries().as_flattened()))?;
+    Error::Overflow.unless(rows_are_finite(&slopes.derivatives.entries()))?;
     Ok((solution, slopes))
 }
 

@@ -6,7 +6,7 @@ use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{LayerSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
-use crate::number::{Float, few_are_finite};
+use crate::number::{Float, few_are_finite, rows_are_finite};
 use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
@@ -248,8 +248,7 @@ impl<F: Float> InMotion<'_, F> {
         let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
         let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
-        let fit = few_are_finite(derivatives.entries().as_flattened())
-            && few_are_finite(law.entries().as_flattened());
+        let fit = rows_are_finite(&derivatives.entries()) && rows_are_finite(&law.entries());
         Error::Overflow.unless(fit)?;
         Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
     }

@@ -153,7 +153,7 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// Forces of a contact, which was checked if there is a law.
     pub fn solve(&self, contact: &Contact<F>) -> Result<FrictionSolution<F>, Error> {
         let (contact, warning) = self.with_friction(contact)?;
-        let mut solution = self.forces_at_friction(&contact)?;
+        let mut solution = self.forces_behind(&self.behind_layer(), &contact)?;
         solution.warning = solution.warning.worse(warning);
         Ok(FrictionSolution { solution, friction: contact.friction })
     }
@@ -167,14 +167,15 @@ impl<'a, F: Float> InMotion<'a, F> {
         if self.options.model == Model::Linear || !law.falls() || nothing {
             return Ok((contact, Warning::None));
         }
+        let behind = self.behind_layer();
         let next = |friction| {
             let contact = Contact { friction, ..contact };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                return Ok(law.at(self.forces_at_friction(&contact)?.power / bound));
+                return Ok(law.at(self.forces_behind(&behind, &contact)?.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let slopes = match self.behind_layer() {
+            let slopes = match &behind {
                 Some(through) => through.differentiate(&contact)?.1,
                 None => solve_with_slopes(&contact, self.creepage, self.options)?.1,
             };
@@ -194,10 +195,14 @@ impl<'a, F: Float> InMotion<'a, F> {
         Some(ThroughLayer { law, creepage: self.creepage, options: self.options })
     }
 
-    /// Forces of a contact that has the stiffness and the friction of the law.
+    /// Forces of a contact that has the stiffness and the friction of the law, behind its layer.
     #[inline(always)]
-    fn forces_at_friction(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
-        match self.behind_layer() {
+    fn forces_behind(
+        &self,
+        layer: &Option<ThroughLayer<F>>,
+        contact: &Contact<F>,
+    ) -> Result<Solution<F>, Error> {
+        match layer {
             Some(through) => through.solve(contact),
             None => forces::forces_of_contact(contact, self.creepage, self.options),
         }

@@ -110,12 +110,18 @@ pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
 
 /// The same of a few. On a microcontroller one sum tells: `0 x` is 0 or NaN.
 #[inline]
-pub(crate) fn few_are_finite<F: Float>(numbers: &[F]) -> bool {
+pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool {
     if cfg!(target_os = "none") {
         let sum = numbers.iter().fold(F::zero(), |sum, x| sum + *x * F::zero());
         return sum.is_finite_number();
     }
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
+}
+
+/// The same of rows of three.
+#[inline]
+pub(crate) fn rows_are_finite<F: Float, const N: usize>(rows: &[[F; 3]; N]) -> bool {
+    rows.iter().fold(true, |finite, row| finite & few_are_finite(row))
 }
 
 /// Count from which eight numbers are tested at once.
