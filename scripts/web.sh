@@ -24,6 +24,8 @@ has() { command -v "$1" > /dev/null 2>&1; }
 # What the page calls; everything else is left out of the link.
 exports="contact_from_hertz evaluate field height_for_load linear_coefficients material_combine patch_evaluate patch_field patch_summarize
     prepare_profile status_string version_string wheel_motion wheel_on_rail wrench_from_contacts"
+# What these calls need: no layers, batches or fits.
+features=panic-handler,strip-1967,strip,total,linear,law,patches,wheels
 
 has "$PYTHON" || skip "the page, because there is no python3"
 if ! has "$CARGO"; then skip "the page, because there is no cargo"; fi
@@ -35,9 +37,9 @@ by_rustup() {
 }
 debian=/usr/bin/rustc
 if by_rustup; then
-    "$CARGO" rustc --locked --release --lib --crate-type staticlib --features panic-handler --target $triple --target-dir "$CARGO_TARGET_DIR"
+    "$CARGO" rustc --locked --release --lib --crate-type staticlib --no-default-features --features $features --target $triple --target-dir "$CARGO_TARGET_DIR"
 elif [ -d "$($debian --print sysroot 2> /dev/null)/lib/rustlib/src/rust/library/core" ]; then
-    RUSTC_BOOTSTRAP=1 RUSTC=$debian "$CARGO" rustc --release --lib --crate-type staticlib --features panic-handler -Z build-std=core \
+    RUSTC_BOOTSTRAP=1 RUSTC=$debian "$CARGO" rustc --release --lib --crate-type staticlib --no-default-features --features $features -Z build-std=core \
         --target $triple --target-dir "$CARGO_TARGET_DIR"
 else
     skip "the page, because there is no Rust for $triple: rustup target add $triple, or apt-get install rustc-web rust-web-src lld"
