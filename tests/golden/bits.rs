@@ -10,28 +10,10 @@
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate
 //! change. With `KSTRIP_GOLDEN_FEW` only the first thousand are computed, in this build alone.
 
-use crate::single;
-use crate::toolchain;
-use kstrip::number::Float;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::field::FieldPoint;
-use kstrip::forces::{self, Field, Model, Options, Solution, StripResult};
-use kstrip::friction::derivatives::{Differentiated, differentiate_with_law};
-use kstrip::friction::field::LawField;
-use kstrip::friction::{self, SlipFriction};
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Profile, ProfileContact};
-use kstrip::patch::field::PatchField;
-use kstrip::patch::friction as patch_friction;
-use kstrip::patch::solver;
-use kstrip::patch::{Patch, PatchStrip};
-use kstrip::rig::fit::{MeasuredForce, fit_friction};
-use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::status::{Error, Warning};
-use toolchain::{root, run_c_with};
+use crate::prelude::*;
+use crate::toolchain::{root, run_c_with};
+use crate::{single, toolchain};
+use kstrip::friction;
 
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;

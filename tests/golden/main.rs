@@ -9,5 +9,6 @@ mod single;
 mod toolchain;
 
 mod bits;
+mod prelude;
 mod searches;
 mod wheel;

@@ -3,34 +3,11 @@
 //! profiles that scatter or are scanned twice. All inputs are quotients of whole numbers drawn at
 //! random.
 
-use crate::bits::{Bits, Hash, compare, draw, inputs, part};
-use crate::manchester::zeroed;
+use crate::bits::{draw, inputs, part};
+use crate::prelude::*;
 use crate::single::{converted, converted_motion};
 use crate::wheel::{PAIRS, Stand, hash_surface, hash_wrench};
-
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::Radii;
-use kstrip::contact::material::CombinedMaterial;
-use kstrip::contact::totals::StripCount;
-use kstrip::contact::{Contact, from_approach, from_hertz};
-use kstrip::forces::{self, Model, Options};
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::friction::{SlipFriction, solve_with_law};
-use kstrip::internals::{creepage_counted, estimate_counted};
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Indentation, Profile, ProfileContact};
-use kstrip::patch::Patch;
-use kstrip::rig::Measured;
-use kstrip::rig::fit::{MeasuredForce, fit_friction};
-use kstrip::status::Warning;
-use kstrip::wheel_rail::scene::Scene;
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::{Law, WrenchByPosition, WrenchDerivatives};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
-use kstrip::wheelset::forces::{Wheelset, WheelsetWorkspace};
-use kstrip::wheelset::kinematics::Side;
-use kstrip::wheelset::settle::WheelsetLoads;
-use kstrip::wheelset::track::RailMotion;
+use kstrip::friction::solve_with_law;
 
 /// A number from -1 to 1 in thousandths.
 fn swing(i: u32, salt: u32) -> f64 {

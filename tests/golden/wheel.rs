@@ -1,23 +1,8 @@
 //! The same bits of prepared profiles, of wheels on rails, and of the patch of a profile between
 //! unlike materials, in both precisions: `tests/data/golden_wheel.txt`, written like the others.
 
-use crate::bits::{Bits, Hash, compare};
-use crate::manchester::{points, zeroed};
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{Model, Options};
-use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Indentation, Profile, ProfileContact};
-use kstrip::patch::{Patch, friction as patch_friction};
-use kstrip::status::Warning;
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use crate::manchester::points;
+use crate::prelude::*;
 
 /// Name; profiles of rail and wheel, and the length over which they are smoothed; lateral position,
 /// yaw and roll; load \[N\]; whether the wheel is the left one.

@@ -4,12 +4,9 @@
 //! The C program that asks is written from the tables of that page and the declarations of the
 //! header.
 
-use crate::header;
-use crate::toolchain;
-
-use header::{Declared, Function, Structure, Variable};
-use std::collections::{BTreeMap, BTreeSet};
-use toolchain::{root, run_written, write_scratch};
+use crate::header::{Declared, Function, Structure, Variable};
+use crate::prelude::*;
+use crate::toolchain::{root, run_written, write_scratch};
 
 /// A line of the second table.
 struct Rule {

@@ -5,15 +5,7 @@
 //! `cargo test --config tests/plain.toml --test interface batch`.
 
 use crate::names::*;
-use crate::random;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Parameters;
-use kstrip::forces::Solution;
-use kstrip::status::{Error, Warning};
-use random::Random;
-use std::mem::MaybeUninit;
-use std::ptr::null_mut;
+use crate::prelude::*;
 
 const COUNT: usize = 203;
 

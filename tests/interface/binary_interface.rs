@@ -2,10 +2,7 @@
 //! binary interface is what the header says.
 
 use crate::groups;
-use crate::header;
-
-use std::collections::BTreeSet;
-use std::path::Path;
+use crate::prelude::*;
 
 /// What cbindgen writes: it reads the crate, and instead of the exported functions and the
 /// statuses, whose macros it does not expand, their declarations.

@@ -7,22 +7,9 @@
 
 use crate::entries;
 use crate::names::problem;
-use kstrip::number::Float;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{
-    Field, Model, Options, Solution, StripResult, forces_of_contact, solve_jacobian, strips,
-};
-use kstrip::patch::field::PatchField;
-use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
-use kstrip::rig::{Measured, estimate_friction};
-use kstrip::status::Error;
+use crate::prelude::*;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
-use std::collections::BTreeSet;
-use std::path::Path;
 
 fn cases() -> u32 {
     let text = std::env::var("KSTRIP_FUZZ_CASES").unwrap_or_default();

@@ -17,6 +17,7 @@ mod bad_input;
 mod batch;
 mod binary_interface;
 mod fuzz_properties;
+mod prelude;
 mod prepared;
 mod python;
 mod strips_of_patch;

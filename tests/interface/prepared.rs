@@ -2,11 +2,7 @@
 //! for one.
 
 use crate::names::*;
-use crate::random::Random;
-
-use kstrip::contact::creepage::Creepage;
-use kstrip::forces::Solution;
-use std::mem::MaybeUninit;
+use crate::prelude::*;
 
 macro_rules! same_bits {
     ($float:ident, $solve:ident, $prepare:ident, $prepared:ident) => {

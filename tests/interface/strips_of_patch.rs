@@ -1,9 +1,7 @@
 //! Patches whose strips have creepages of their own: `kstrip_patch_evaluate_strips`.
 
 use crate::names::*;
-
-use std::mem::MaybeUninit;
-use std::ptr::null_mut;
+use crate::prelude::*;
 use std::slice::from_raw_parts;
 
 const MOTION: kstrip_creepage = creepage([8e-4, -6e-4, 0.1]);

@@ -1,13 +1,11 @@
 //! Errors against the reference (CONTACT) by model and region: one table of what is allowed, tight
 //! enough that an improvement must tighten it, and the limits that were required.
 
-use crate::reference;
+use crate::prelude::*;
+use crate::reference::*;
+use crate::theory::options;
 use crate::slopes;
-
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use reference::*;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashSet;
 use std::fmt::Write;
 
 /// What is allowed, about 5 % above what was measured.

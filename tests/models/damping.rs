@@ -1,12 +1,7 @@
 //! Damping of the pressure, and the floor of the speed of a wheel.
 
-use crate::manchester::zeroed;
-use crate::wheel_rail::{ROLLING, Stand, difference, moved};
-use approx::assert_relative_eq;
-use kstrip::friction::SlipFriction;
-use kstrip::status::Error;
-use kstrip::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
-use kstrip::wheel_rail::{Position, Velocity};
+use crate::prelude::*;
+use crate::wheel_rail::moved;
 
 /// Damping \[s/m\].
 const DAMPING: f64 = 0.8;

@@ -1,17 +1,9 @@
 //! The derivatives of `solve_jacobian` against differences of `solve`.
 
-use crate::differences::trusted_differences;
-use crate::random;
+use crate::prelude::*;
 use crate::single;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::derivatives::{self, Derivatives};
-use kstrip::forces::{self, Model, Options};
-use random::Random;
-use theory::{COUNTS, MODELS, contact, options, sixteen};
+use crate::theory::sixteen;
+use kstrip::forces::derivatives;
 
 /// Forces over μN and moment over μN√(ab) for given parameters.
 fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {

@@ -1,6 +1,6 @@
 //! Differences of functions that have kinks here and there.
 
-use kstrip::contact::creepage::Creepage;
+use crate::prelude::*;
 
 /// Central differences with h, h/2, h/4, extrapolated; and how far the last two extrapolations
 /// differ: an error of the order h or h² betrays a kink within the stencil.

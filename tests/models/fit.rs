@@ -1,16 +1,8 @@
 //! From measured creep curves to the law of friction, and the law's curves against published ones.
 
-use crate::random::Random;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::forces::{Model, Options};
-use kstrip::friction::{self, SlipFriction};
-use kstrip::linear::LinearCoefficients;
-use kstrip::rig::fit::{FrictionFit, MeasuredForce, fit_friction};
-use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::status::{Error, Warning};
-use std::path::Path;
+use crate::prelude::*;
+use kstrip::friction;
+use kstrip::rig::fit::FrictionFit;
 
 /// The locomotive of `eurosprinter_measured.csv`.
 const LOCOMOTIVE: Contact<f64> = Contact {

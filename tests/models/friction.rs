@@ -1,20 +1,7 @@
 //! Friction that falls with the slip, and reduced initial slope.
 
-use crate::C0;
-use crate::differences::trusted_differences;
-use crate::random;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Model, Options};
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::friction::{self, FrictionSolution, SlipFriction};
-use kstrip::status::{Error, Warning};
-use nalgebra::Matrix3;
-use random::Random;
-use theory::{contact, options};
+use crate::prelude::*;
+use kstrip::friction::{self, FrictionSolution};
 
 /// Under friction that falls with the slip, with the derivatives with respect to the creepages as a
 /// matrix.

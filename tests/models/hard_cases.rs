@@ -1,26 +1,13 @@
 //! The hard cases by name, of every model in both precisions, in Rust and through the C functions:
 //! each gives a right answer or a named status, and an error leaves the outputs as they were.
 
-use crate::C0;
 use crate::names::*;
 use crate::poison::{poisoned, untouched};
-use crate::random::Random;
+use crate::prelude::*;
 use crate::single::{converted, converted_motion};
-use crate::theory::{self, Law, MODELS, contact, creepage, options};
-use kstrip::number::Float;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
+use crate::theory::Law;
 use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
-use kstrip::forces::derivatives::Derivatives;
-use kstrip::forces::field::FieldPoint;
-use kstrip::forces::{self, Field, Model, Solution, StripResult};
 use kstrip::friction::derivatives::LawDerivatives;
-use kstrip::status::{Error, Warning};
-use kstrip::strip_1967::strip::State;
-use std::f64::consts::PI;
-use std::mem::MaybeUninit;
 
 const WHEEL: Contact<f64> = Contact { b: 4e-3, ..C0 };
 const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spin: 0.2 };

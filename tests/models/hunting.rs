@@ -1,12 +1,8 @@
 //! What a vehicle feels of the slopes: the critical speed of the wheelset of
 //! `c_examples/05_hunting.c`.
 
-use crate::C0;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{Model, Options, solve_jacobian};
-use nalgebra::{Matrix3, Matrix3x4, Matrix4};
+use crate::prelude::*;
+use nalgebra::{Matrix3x4, Matrix4};
 
 const MASS: f64 = 1800.0;
 const INERTIA: f64 = 1100.0;

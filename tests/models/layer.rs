@@ -1,23 +1,8 @@
 //! A layer between the bodies, and what sliding leaves of its stiffness.
 
-use crate::differences::Comparison;
-use crate::patches::{irregular, motion};
-use crate::random::Random;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::field::FieldPoint;
-use kstrip::forces::{Model, Options, Solution};
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::friction::field::LawField;
-use kstrip::friction::{self, SlipFriction};
-use kstrip::linear::LinearCoefficients;
-use kstrip::patch::Patch;
-use kstrip::patch::field::PatchField;
-use kstrip::patch::friction as patch_friction;
-use std::path::Path;
+use crate::patches::motion;
+use crate::prelude::*;
+use kstrip::friction;
 
 const STEEL: f64 = 82e9;
 const POISSON: f64 = 0.28;

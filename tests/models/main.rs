@@ -36,6 +36,7 @@ mod patch;
 mod patch_accuracy;
 mod patch_friction;
 mod patches;
+mod prelude;
 mod prepared_profile;
 mod profile;
 mod rig;

@@ -1,21 +1,10 @@
 //! What must hold for every model whatever its constants are: bound, symmetries, limits,
 //! smoothness, and that strips and fields belong to the totals.
 
-use crate::random::Random;
+use crate::prelude::*;
 use crate::reference::{BOUND, FRICTION, SIZE, UNIT, contact, options};
-use crate::theory::COUNTS;
-use kstrip::number::Float;
-
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Field, Model, Options, Solution, StripResult, forces_of_contact};
-use kstrip::linear::LinearCoefficients;
-use kstrip::patch::{Patch, solver};
-use kstrip::status::{Error, Warning};
-use kstrip::strip_1967::strip::State;
 use proptest::prelude::*;
 use rstest::rstest;
-use std::f64::consts::PI;
 
 /// STRIP with every count, and TOTAL.
 fn fitted() -> Vec<Options> {

@@ -1,17 +1,10 @@
 //! Rolling forward, backward, and standstill between them.
 
-use crate::C0;
-use crate::differences::trusted_differences;
-use crate::random::Random;
+use crate::prelude::*;
 use crate::single::single;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
 use kstrip::forces::derivatives;
-use kstrip::forces::{self, Model, Options, Solution};
-use kstrip::friction::{self, SlipFriction};
-use kstrip::motion::{Motion, MotionDerivatives, differentiate_motion, solve_motion};
-use kstrip::status::{Error, Warning};
+use kstrip::friction;
+use kstrip::motion::{MotionDerivatives, differentiate_motion, solve_motion};
 
 const FLOOR: f64 = 0.02;
 const WET: SlipFriction<f64> = SlipFriction {

@@ -1,25 +1,8 @@
 //! Patches that are given by their strips: the ellipse as its strips, lobes, friction that varies,
 //! places, fields, derivatives.
 
-use crate::differences::Comparison;
-use crate::patches;
-use crate::random;
-use crate::single::single_motion;
-use crate::theory;
-
-use approx::assert_relative_eq;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Model, Solution};
-use kstrip::patch::field::PatchField;
-use kstrip::patch::solver;
-use kstrip::patch::{Patch, PatchStrip, PatchView, QuadratureScale};
-use kstrip::status::{Error, Warning};
-use patches::{Full, irregular, motion};
-use random::Random;
-use std::f64::consts::PI;
-use theory::{COUNTS, MODELS, contact, creepage, options};
+use crate::patches::motion;
+use crate::prelude::*;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 

@@ -1,10 +1,7 @@
 //! Patches against CONTACT: outlines, pressures, forces; friction in bands.
 
-use crate::patch_reference::{Case, Errors, Full, Motion, banded, given, profiles, statistics};
-use crate::random::Random;
-
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
+use crate::patch_reference::{Case, Errors, Full, Motion, banded, given};
+use crate::prelude::*;
 use kstrip::patch::solver::solve_patch;
 
 /// Mean, 95th percentile and maximum allowed.

@@ -1,23 +1,8 @@
 //! Friction that falls with the slip, and reduced initial slope, on patches of strips.
 
-use crate::differences::{Comparison, trusted_differences};
-use crate::patches;
-use crate::random;
-use crate::theory;
-
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::friction::SlipFriction;
-use kstrip::patch::field::PatchField;
+use crate::patches::motion;
+use crate::prelude::*;
 use kstrip::patch::friction::{PatchFrictionSolution, differentiate_patch, solve_patch_with_law};
-use kstrip::patch::solver;
-use kstrip::patch::{Patch, PatchStrip, PatchView};
-use kstrip::status::{Error, Warning};
-use nalgebra::Matrix3;
-use patches::{Full, irregular, motion};
-use random::Random;
-use theory::{COUNTS, contact, options};
 
 const DRY: SlipFriction<f64> = SlipFriction {
     friction: f64::NAN, // that of the strips

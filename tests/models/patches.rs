@@ -1,8 +1,7 @@
 //! Patches of no particular shape.
 
 use super::random::Random;
-use kstrip::contact::creepage::Creepage;
-use kstrip::patch::{Patch, PatchStrip};
+use crate::prelude::*;
 
 pub type Full = Patch<f64, 64>;
 

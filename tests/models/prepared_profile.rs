@@ -1,10 +1,7 @@
 //! Prepared profiles: whatever the order, density, scatter and size of the points, the profile is
 //! whole, and its points are one step apart.
 
-use crate::manchester::{points, zeroed};
-use crate::random::Random;
-use kstrip::status::Error;
-use kstrip::wheel_rail::surface::Surface;
+use crate::prelude::*;
 
 const NAMES: [&str; 10] = [
     "avgHR", "avglow", "avgwhl", "car7216", "rail288", "s1002", "siteb", "uic60", "whl288",

@@ -1,18 +1,8 @@
 //! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise,
 //! bad input.
 
-use crate::patch_reference::{Full, profiles, real, statistics};
-use crate::random::Random;
-
-use approx::assert_relative_eq;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Indentation, Profile, ProfileContact};
-use kstrip::patch::{Patch, PatchStrip, solver};
-use kstrip::status::{Error, Warning};
+use crate::patch_reference::{Full, real};
+use crate::prelude::*;
 use std::f64::consts::TAU;
 
 const SIXTEEN: StripCount = StripCount::Sixteen;

@@ -1,18 +1,8 @@
 //! The inverse for test rigs: friction from a measured force, creepage from a wanted one.
 
-use crate::random;
+use crate::prelude::*;
 use crate::single;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Model, Options};
-use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
-use kstrip::status::{Error, Warning};
-use random::Random;
 use single::{single, single_motion};
-use theory::{contact, options};
 
 const SATURATING: [Model; 4] =
     [Model::Strip, Model::Total, Model::Strip1967, Model::Strip1967Continuous];

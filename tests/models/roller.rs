@@ -1,13 +1,8 @@
 //! Wheels on rollers: against Hertz, spheres, a search over both surfaces, and the wheel on a
 //! straight rail.
 
-use crate::manchester::prepared;
-use crate::manchester::zeroed;
-use crate::wheel_rail::{Stand, difference, power};
-use approx::assert_relative_eq;
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::wheel_rail::scene::Workspace;
-use kstrip::wheel_rail::{Position, Velocity};
+use crate::prelude::*;
+use crate::wheel_rail::power;
 
 const RADIUS: f64 = 0.46;
 /// Radius of a rail's head \[m\].

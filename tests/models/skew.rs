@@ -1,14 +1,7 @@
 //! Skewed contacts, of wheels that yaw, against Hertz's solution in the principal axes.
 
-use crate::manchester::prepared;
-use crate::wheel_rail::{ROLLING, Stand};
-use kstrip::contact::hertz::{HertzContact, Radii, hertz};
-use kstrip::contact::totals::StripCount;
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Indentation, Profile, ProfileContact};
-use kstrip::patch::Patch;
-use kstrip::wheel_rail::Position;
-use nalgebra::{Matrix2, Vector2};
+use crate::prelude::*;
+use nalgebra::Vector2;
 
 const LOAD: f64 = 60e3;
 

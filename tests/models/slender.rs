@@ -2,10 +2,8 @@
 //! and creepages of any size whose slip spin turns around within the contact, against boundary
 //! elements: `tests/data/boundary_elements.csv`. Nothing is fitted on them.
 
+use crate::prelude::*;
 use crate::reference::*;
-
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{Model, Options};
 
 /// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force,
 /// mean of the moment.

@@ -1,18 +1,8 @@
 //! What a wrong sign or one per cent of a constant would leave unnoticed elsewhere.
 
 use crate::names::*;
-use crate::random::Random;
-use crate::single::{single, single_motion};
-use crate::theory::{contact, creepage, options};
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Field, Model, StripResult};
-use kstrip::patch::field::PatchField;
-use kstrip::patch::{Patch, PatchStrip};
-use kstrip::status::Warning;
-use std::mem::MaybeUninit;
+use crate::prelude::*;
+use crate::single::single;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 

@@ -1,14 +1,7 @@
 //! Motions without one of their parts: the same answers as beside them, without a jump.
 
-use crate::random;
+use crate::prelude::*;
 use crate::single::single;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::forces::{self, Model, Solution};
-use random::Random;
-use theory::{COUNTS, contact, options};
 
 fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
     Creepage { longitudinal, lateral, spin }

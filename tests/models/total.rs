@@ -1,11 +1,6 @@
 //! TOTAL saturates once.
 
-use crate::random::Random;
-
-use kstrip::contact::totals::Totals;
-use kstrip::linear::LinearCoefficients;
-use kstrip::total::Total;
-use std::f64::consts::PI;
+use crate::prelude::*;
 
 /// Without spin the force neither falls once it has reached `μ N`, nor does its slope rise again on
 /// the way there.

@@ -1,20 +1,11 @@
 //! Unlike materials: what pressure adds to the creepage, in every model but those of 1967.
 
-use crate::random::Random;
+use crate::prelude::*;
 use crate::reference::*;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::{Radii, from_approach, from_hertz};
-use kstrip::contact::material::{Material, combine};
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::derivatives::Derivatives;
-use kstrip::forces::{self, Model, Options, Solution};
-use kstrip::friction::SlipFriction;
+use crate::theory::contact;
+use kstrip::contact::hertz::from_hertz;
 use kstrip::friction::derivatives;
-use kstrip::motion::{self, Motion};
-use kstrip::patch::{Patch, friction as patch_friction, solver};
-use kstrip::status::Warning;
+use kstrip::motion;
 
 const MODELS: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
 

@@ -1,13 +1,8 @@
 //! Every model, alone and in a batch, says what is implausible about its contact.
 
-use crate::C0;
+use crate::prelude::*;
 use kstrip::batch::solve_batch;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
 use kstrip::forces::derivatives;
-use kstrip::forces::{self, Model, Options};
-use kstrip::status::Warning;
 
 /// A worn wheel in a curve.
 const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };

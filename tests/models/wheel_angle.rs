@@ -1,12 +1,8 @@
 //! Errors of a wheel on a rail by angle and range of its contacts, against conformal CONTACT; those
 //! of steep contacts at equal load, each in its own plane.
 
-use crate::wheel_rail::{ROLLING, Stand, assert_told, mean_and_p95, number, profile, rows};
-use kstrip::forces::Model;
-use kstrip::wheel_rail::contacts::WheelContact;
-use kstrip::wheel_rail::wrench::{Law, of_contacts};
-use kstrip::wheel_rail::{Position, Velocity};
-use std::collections::HashMap;
+use crate::prelude::*;
+use crate::wheel_rail::{assert_told, mean_and_p95, number, rows};
 
 type Row = HashMap<String, String>;
 

@@ -1,15 +1,7 @@
 //! A wheel over real and drawn profiles: nothing jumps, contacts begin without load, no overlap is
 //! lost, and the height for a load does not depend on where the search begins.
 
-use crate::manchester::{points, prepared, steel, zeroed};
-use crate::random::Random;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::status::Warning;
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::{Law, Wrench};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use crate::prelude::*;
 
 /// Profiles that were drawn or measured, and angles by which rails are turned \[rad\].
 pub(crate) const RAILS: [(&str, f64); 6] = [

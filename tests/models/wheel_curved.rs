@@ -1,18 +1,9 @@
 //! Contacts whose normal turns: each strip has its own slip. Derivatives, symmetry, power, and what
 //! becomes of a contact that is nearly flat.
 
-use crate::manchester::{profile, steel, zeroed};
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::Differentiated;
-use kstrip::patch::{friction, solver};
-use kstrip::wheel_rail::contacts::WheelContact;
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchDerivatives, of_contacts};
-use kstrip::wheel_rail::{Position, Velocity};
-use std::ptr::null_mut;
+use crate::manchester::profile;
+use crate::prelude::*;
+use kstrip::patch::friction;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
 fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {

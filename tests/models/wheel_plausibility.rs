@@ -1,15 +1,7 @@
 //! Wheels on rails that no railway has: wrong units, profiles upside down or the wrong way round,
 //! members forgotten, and wheels that friction pulls down. Ordinary ones come without a warning.
 
-use crate::manchester::{points, steel, zeroed};
-use crate::random::Random;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::status::{Error, Warning};
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use crate::prelude::*;
 
 const WHEELS: [&str; 7] =
     ["s1002", "whl288", "avgwhl", "car7216", "wornhm", "en_wheel_a", "en_wheel_h"];

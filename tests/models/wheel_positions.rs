@@ -1,18 +1,9 @@
 //! Derivatives of a wheel's forces with respect to its position against differences that converge,
 //! on real profiles.
 
-use crate::manchester::{steel, zeroed};
-use crate::random::Random;
+use crate::prelude::*;
 use crate::wheel_continuity::{RAILS, WHEELS};
-use crate::wheel_rail::profile;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::patch::{PatchStrip, StoredPatch};
-use kstrip::wheel_rail::contacts::WheelContact;
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::{Law, WrenchByPosition};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use kstrip::patch::StoredPatch;
 
 type Members = [f64; 6];
 

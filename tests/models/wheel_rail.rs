@@ -1,20 +1,10 @@
 //! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes,
 //! continuity, friction by place, bad input.
 
-use crate::manchester::{self, Wheelset, points, prepared, steel, zeroed};
-use approx::assert_relative_eq;
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::Model;
-use kstrip::friction::SlipFriction;
-use kstrip::status::{Error, Warning};
-use kstrip::wheel_rail::contacts::{WheelContact, from_gap};
-use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
+use crate::manchester::Wheelset;
+use crate::prelude::*;
+use kstrip::wheel_rail::contacts::from_gap;
 use kstrip::wheel_rail::touch::{Gap, touch};
-use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
-use std::collections::HashMap;
 
 type Members = [f64; 6];
 

@@ -1,23 +1,14 @@
 //! The wheelset: balance, derivatives, power, Klingel's wave, EN 15302, Nadal, the Manchester
 //! benchmark, and the curve.
 
-use crate::manchester::{self, prepared, profile, steel, zeroed};
-use approx::assert_relative_eq;
-use kstrip::contact::totals::StripCount;
+use crate::manchester::profile;
+use crate::prelude::*;
 use kstrip::forces::options::Model;
-use kstrip::status::{Error, Warning};
-use kstrip::wheel_rail::scene::Scene;
-use kstrip::wheel_rail::surface::Surface;
-use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
 use kstrip::wheelset::conicity::RadiusDifference;
-use kstrip::wheelset::forces::{
-    Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
-};
-use kstrip::wheelset::kinematics::Side;
-use kstrip::wheelset::settle::{Settled, WheelsetLoads};
-use kstrip::wheelset::track::{Curve, RailMotion, gauge_face};
-use nalgebra::{Matrix2, SMatrix, SVector};
+use kstrip::wheelset::forces::{WheelsetByPosition, WheelsetDerivatives, WheelsetForces};
+use kstrip::wheelset::settle::Settled;
+use kstrip::wheelset::track::{Curve, gauge_face};
+use nalgebra::{SMatrix, SVector};
 
 type Ten = [f64; 10];
 

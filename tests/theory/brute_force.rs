@@ -1,12 +1,8 @@
 //! Totals against a second implementation of the theory that shares no code with the library.
 
-use crate::random::Random;
+use crate::prelude::*;
 use crate::theory::Law;
-use kstrip::contact::creepage::Parameters;
-use kstrip::contact::totals::Totals;
-use kstrip::number::Float;
 use kstrip::strip_1967;
-use kstrip::strip_1967::strip::{Regime, SlidingRule, Strip};
 
 fn sample(random: &mut Random, psi: f64) -> Law {
     let parameter = |random: &mut Random| match random.bits() % 10 {

@@ -1,9 +1,6 @@
 //! Contacts from two bodies: from the load, from the approach, and lost ones.
 
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::material::CombinedMaterial;
-use kstrip::contact::{Contact, from_approach, from_hertz};
-use kstrip::status::Warning;
+use crate::prelude::*;
 
 const FLAT: f64 = f64::INFINITY;
 const STEEL: CombinedMaterial<f64> =

@@ -5,11 +5,8 @@
 //! times, always into the half that changes more. Of a square root a thousandth is left, of a jump
 //! all.
 
-use crate::random;
-use crate::theory;
-
-use random::Random;
-use theory::{Law, solve};
+use crate::prelude::*;
+use crate::theory::{Law, solve};
 
 const STEP: f64 = 1e-6;
 

@@ -1,13 +1,8 @@
 //! Creepages from velocities (3.3), parameters (5.13) and their inverse.
 
-use crate::random;
+use crate::prelude::*;
 use crate::single::single;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
-use random::Random;
-use std::f64::consts::PI;
+use kstrip::contact::creepage::SurfaceVelocity;
 
 fn at(x: f64, y: f64, angular_z: f64) -> SurfaceVelocity<f64> {
     SurfaceVelocity { x, y, angular_z }

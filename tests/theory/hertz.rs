@@ -1,8 +1,6 @@
 //! The contact ellipse against numbers computed outside with 60 digits, and published tables.
 
-use kstrip::contact::hertz::{HertzContact, Radii, hertz};
-use kstrip::status::Error;
-use std::f64::consts::PI;
+use crate::prelude::*;
 
 const FLAT: f64 = f64::INFINITY;
 

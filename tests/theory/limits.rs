@@ -1,15 +1,7 @@
 //! What must come out exactly: linear derivatives, saturation, pure creepage.
 
-use crate::random;
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Model};
-use random::Random;
-use std::f64::consts::PI;
-use theory::{COUNTS, MODELS, contact, creepage, options, sixteen};
+use crate::prelude::*;
+use crate::theory::{COUNTS, sixteen};
 
 fn bound(contact: &Contact<f64>) -> f64 {
     contact.friction * contact.normal_force

@@ -16,4 +16,5 @@ mod limits;
 mod materials;
 mod paper;
 mod plausibility;
+mod prelude;
 mod strip;

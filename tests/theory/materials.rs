@@ -1,8 +1,6 @@
 //! Combined elastic constants (2.6), (4.3).
 
-use approx::assert_relative_eq;
-use kstrip::contact::material::{Material, combine};
-use kstrip::status::Error;
+use crate::prelude::*;
 use proptest::prelude::*;
 
 fn material(shear_modulus: f64, poisson_ratio: f64) -> Material<f64> {

@@ -1,16 +1,6 @@
 //! Every number that the surviving pages of the paper show (theory page, Section 6).
 
-use crate::theory;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::field::FieldPoint;
-use kstrip::forces::{self, Field, Model};
-use kstrip::linear::LinearCoefficients;
-use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
-use std::f64::consts::PI;
-use theory::{MODELS, contact, creepage, options};
+use crate::prelude::*;
 
 fn field(c: &Contact<f64>, xi: f64, eta: f64, psi: f64, kind: Model) -> Field<f64> {
     Field::new(c, &creepage(c, xi, eta, psi), &options(kind, StripCount::Sixteen)).unwrap()

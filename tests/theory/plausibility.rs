@@ -1,10 +1,8 @@
 //! Wrong units are named, ordinary contacts are not.
 
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::Radii;
-use kstrip::contact::material::CombinedMaterial;
-use kstrip::contact::{Contact, from_approach, from_hertz, implausibility};
-use kstrip::status::{Warning, advice};
+use crate::prelude::*;
+use kstrip::contact::implausibility;
+use kstrip::status::advice;
 
 const FLAT: f64 = f64::INFINITY;
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;

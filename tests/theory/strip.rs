@@ -1,11 +1,7 @@
 //! One strip of the theory (Sections 4 to 6).
 
-use crate::random;
-use crate::theory;
-
-use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip, adhesion_length};
-use random::Random;
-use std::f64::consts::PI;
+use crate::prelude::*;
+use kstrip::strip_1967::strip::adhesion_length;
 
 const RULES: [SlidingRule; 2] = [SlidingRule::RigidSlip, SlidingRule::Continuous];
 

@@ -1,10 +1,7 @@
 //! What is let through without a look passes every check.
 
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::forces::Model;
+use crate::prelude::*;
 use kstrip::internals::quick_and_full_check;
-use kstrip::number::Float;
 
 /// No check can fail for the sizes that are let through without: at every corner of them, in both
 /// precisions.

@@ -5,6 +5,7 @@ mod check;
 mod cube_root;
 mod lanes;
 mod linear;
+mod prelude;
 #[path = "../common/random.rs"]
 mod random;
 mod rig;

@@ -1,16 +1,7 @@
 //! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release
 //! --test units rig:: -- --nocapture` prints the figures of docs/reliability.md.
 
-use crate::random::Random;
-use approx::assert_relative_eq;
-use core::f64::consts::PI;
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{self, Model, Options};
-use kstrip::internals::{creepage_counted, estimate_counted};
-use kstrip::rig::{Measured, estimate_friction};
-use kstrip::status::Warning;
+use crate::prelude::*;
 
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];

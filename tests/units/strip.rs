@@ -1,13 +1,10 @@
 //! Strips that follow the slip: bounds, limits, slopes, and the same bits in any registers.
 
+use crate::prelude::*;
 use approx::assert_abs_diff_eq;
-use core::f64::consts::PI;
 use core::fmt::Debug;
-use kstrip::contact::totals::{StripCount, Totals};
 use kstrip::internals;
-use kstrip::linear::LinearCoefficients;
-use kstrip::number::dual::Dual;
-use kstrip::number::{Float, Number};
+use kstrip::number::Number;
 use kstrip::strip::{
     Distribution, EllipseStrips, Flexibilities, Rule, StripCreepage, StripGeometry,
 };

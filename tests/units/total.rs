@@ -1,11 +1,6 @@
 //! What must hold whatever the constants are, and that the fit has the same formulas.
 
-use crate::random::Random;
-use approx::assert_relative_eq;
-use kstrip::contact::totals::Totals;
-use kstrip::linear::LinearCoefficients;
-use kstrip::number::dual::Dual;
-use kstrip::total::Total;
+use crate::prelude::*;
 
 fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
     let Totals { fx, fy, mz, .. } =

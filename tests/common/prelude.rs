@@ -1,0 +1,51 @@
+//! What most tests use.
+
+#![allow(unused_imports)]
+
+pub use approx::assert_relative_eq;
+pub use kstrip::contact::creepage::{Creepage, Parameters};
+pub use kstrip::contact::hertz::{HertzContact, Radii, hertz};
+pub use kstrip::contact::material::{CombinedMaterial, Material, combine};
+pub use kstrip::contact::totals::{StripCount, Totals};
+pub use kstrip::contact::{Contact, from_approach, from_hertz};
+pub use kstrip::forces::derivatives::Derivatives;
+pub use kstrip::forces::field::FieldPoint;
+pub use kstrip::forces::{
+    self, Field, Model, Options, Solution, StripResult, forces_of_contact, solve_jacobian, strips,
+};
+pub use kstrip::friction::SlipFriction;
+pub use kstrip::friction::derivatives::{Differentiated, differentiate_with_law};
+pub use kstrip::friction::field::LawField;
+pub use kstrip::internals::{creepage_counted, estimate_counted};
+pub use kstrip::linear::LinearCoefficients;
+pub use kstrip::motion::Motion;
+pub use kstrip::normal::cells::Given;
+pub use kstrip::normal::{Indentation, Profile, ProfileContact};
+pub use kstrip::number::Float;
+pub use kstrip::number::dual::Dual;
+pub use kstrip::patch::field::PatchField;
+pub use kstrip::patch::{
+    Patch, PatchStrip, PatchView, QuadratureScale, friction as patch_friction, solver,
+};
+pub use kstrip::rig::fit::{MeasuredForce, fit_friction};
+pub use kstrip::rig::{Measured, creepage_for_force, estimate_friction};
+pub use kstrip::status::{Error, Warning};
+pub use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
+pub use kstrip::total::Total;
+pub use kstrip::wheel_rail::contacts::WheelContact;
+pub use kstrip::wheel_rail::scene::{Scene, Workspace};
+pub use kstrip::wheel_rail::surface::Surface;
+pub use kstrip::wheel_rail::wrench::{
+    Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts,
+};
+pub use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+pub use kstrip::wheelset::forces::{Wheelset, WheelsetWorkspace};
+pub use kstrip::wheelset::kinematics::Side;
+pub use kstrip::wheelset::settle::WheelsetLoads;
+pub use kstrip::wheelset::track::RailMotion;
+pub use nalgebra::{Matrix2, Matrix3};
+pub use std::collections::{BTreeMap, BTreeSet, HashMap};
+pub use std::f64::consts::PI;
+pub use std::mem::MaybeUninit;
+pub use std::path::Path;
+pub use std::ptr::null_mut;
