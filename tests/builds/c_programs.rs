@@ -1,29 +1,16 @@
 //! C programs against the header and the library: the examples with their numbers, the layout
 //! of every structure, the answers to bad input, the language standards, threads.
 
-use crate::header;
+use crate::header::{Declared, Structure};
 use crate::names::*;
-use crate::toolchain;
-
-use core::f64::consts::PI;
-use core::mem::{offset_of, size_of};
-use header::{Declared, Structure};
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::{Creepage, Parameters};
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::totals::StripCount;
-use kstrip::ffi;
-use kstrip::forces::{self, Field, Model, Options, StripResult};
-use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::status::Warning;
-use kstrip::strip_1967::strip::State;
-use std::collections::{BTreeMap, BTreeSet};
-use std::process::Command;
-use toolchain::{
-    build_c_with, check_header, compile_with, has_cpp, knows, output_of, root, run_c, run_c_with,
-    say, scratch, symbols_of_library, write_scratch,
+use crate::prelude::*;
+use crate::toolchain::{
+    build_c_with, check_header, compile_with, has_cpp, knows, run_c, run_c_with,
+    symbols_of_library, write_scratch,
 };
+use core::mem::{offset_of, size_of};
+use kstrip::ffi;
+use std::process::Command;
 
 /// The contact of examples 02 to 05 and 07.
 const TOTAL: Options = Options { model: Model::Total, strips: StripCount::Sixteen };
@@ -90,8 +77,7 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
         let [longitudinal, lateral, spin, fx, fy, mz, stick] = row[..] else {
             panic!("seven columns: {row:?}")
         };
-        let creepage =
-            Creepage { longitudinal: longitudinal / 100.0, lateral: lateral / 100.0, spin };
+        let creepage = creep(longitudinal / 100.0, lateral / 100.0, spin);
         let exact = forces::forces_of_contact(&contact, &creepage, &Options::default())
             .expect("a solution");
         assert_printed(fx, exact.fx, 2, "Fx");
@@ -116,7 +102,7 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
         .collect();
     let (rows, columns) = (25, 51);
     assert_eq!(map.len(), rows);
-    let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.4 };
+    let creepage = creep(1e-3, 0.0, 0.4);
     let options = Options::default();
     let field = Field::new(&contact, &creepage, &options).expect("a field");
     let step = 2.0 * a / rows as f64;
@@ -171,7 +157,7 @@ fn creep_curves_hold_every_model() {
         let value = |column: usize| record[column].parse::<f64>().expect("a number");
         let number: i32 = record[1].parse().expect("a model number");
         let model = Model::from_number(number).expect("a model");
-        let motion = Creepage { longitudinal: value(3), lateral: value(4), spin: value(5) };
+        let motion = creep(value(3), value(4), value(5));
         let options = Options { model, strips: StripCount::default() };
         let exact = forces::forces_of_contact(&CONTACT, &motion, &options).expect("a solution");
         // Ten digits are printed; the creepage in the table is rounded to ten as well.
@@ -196,7 +182,7 @@ fn creep_curves_hold_every_model() {
 #[test]
 fn traction_field_adds_up_to_the_forces() {
     let text = run_c("c_examples/03_traction_field.c");
-    let creepage = Creepage { longitudinal: 0.0005, lateral: 0.001, spin: 0.3 };
+    let creepage = creep(0.0005, 0.001, 0.3);
     let options = Options { model: Model::Strip1967, strips: StripCount::ThirtyTwo };
     let exact = forces::forces_of_contact(&CONTACT, &creepage, &options).expect("a solution");
 
@@ -270,11 +256,11 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     let text = run_c("c_examples/04_own_velocities.c");
     // Wheel: yaw 1 mrad, contact plane tilted by 50 mrad, circumference 0.1 % too fast
     let (yaw, tilt, radius, speed) = (1e-3_f64, 50e-3_f64, 0.46, 20.0);
-    let creepage = Creepage {
-        longitudinal: 1.0 - 1.001 * yaw.cos(),
-        lateral: -1.001 * yaw.sin() * tilt.cos(),
-        spin: 1.001 * yaw.cos() * tilt.sin() / radius,
-    };
+    let creepage = creep(
+        1.0 - 1.001 * yaw.cos(),
+        -1.001 * yaw.sin() * tilt.cos(),
+        1.001 * yaw.cos() * tilt.sin() / radius,
+    );
     let printed = line_of(&text, "creepage:");
     assert_printed(printed[0], creepage.longitudinal, 9, "longitudinal creepage");
     assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
@@ -533,22 +519,14 @@ fn standstill_holds_and_reverses() {
 #[ignore = "a step of .ci/run: long runs of examples"]
 fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     let text = run_c("c_examples/07_falling_friction.c");
-    let law = SlipFriction {
-        friction: 0.4,
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 10.0,
-        slope_factor: 0.5,
-        slide_factor: 0.0,
-        layer: 0.0,
-    };
+    let law = falling(0.4, 0.4, 0.6, 10.0, 0.5);
     let options = Options { model: Model::Total, strips: StripCount::default() };
     let curve: Vec<Vec<f64>> =
         text.lines().filter(|line| line.starts_with("curve ")).map(numbers).collect();
     assert!(curve.len() > 40);
     for row in &curve {
         let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };
-        let motion = Creepage { longitudinal: -slip, lateral: 0.0, spin: 0.0 };
+        let motion = creep(-slip, 0.0, 0.0);
         let found =
             differentiate_with_law(&CONTACT, &motion, Some(&law), &options).expect("forces");
         let by_slip = found.derivatives.jacobian[0][0];
@@ -620,7 +598,7 @@ fn a_measured_curve_is_fitted() {
     assert_eq!(curves.len(), 30);
     for row in &curves {
         let [creepage, clean, fitted, by_contact] = row[..] else { panic!("{row:?}") };
-        let motion = Creepage { longitudinal: creepage / 100.0, lateral: 0.0, spin: 0.0 };
+        let motion = creep(creepage / 100.0, 0.0, 0.0);
         let force = |law| {
             let found = differentiate_with_law(&contact, &motion, law, &options).expect("forces");
             found.solution.fx / contact.normal_force
@@ -882,11 +860,11 @@ fn threads_and_rust_see_the_same_bits() {
             poisson_ratio: f64::from(i % 6) / 10.0,
             ..CONTACT
         };
-        let creepage = Creepage {
-            longitudinal: f64::from(i % 16 - 7) / 4000.0,
-            lateral: f64::from(i / 16 % 16 - 7) / 4000.0,
-            spin: f64::from(i / 256 - 7) / 8.0,
-        };
+        let creepage = creep(
+            f64::from(i % 16 - 7) / 4000.0,
+            f64::from(i / 16 % 16 - 7) / 4000.0,
+            f64::from(i / 256 - 7) / 8.0,
+        );
         let options = Options {
             model: Model::from_number(1 + i % 5).expect("a model"),
             strips: StripCount::from_number(4 << (i / 5 % 5)).expect("a count"),

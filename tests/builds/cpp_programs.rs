@@ -1,18 +1,10 @@
 //! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is
 //! missing.
 
-use crate::header;
-use crate::toolchain;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::{Radii, hertz};
+use crate::prelude::*;
 use kstrip::forces::derivatives;
-use kstrip::forces::{self, Options};
-use kstrip::friction::{self, SlipFriction};
-use std::f64::consts::PI;
+use kstrip::friction;
 use std::process::Command;
-use toolchain::{cpp_compilers, root, run_cpp, say, scratch};
 
 // (c++2b is C++23, by its name in older compilers)
 const STANDARDS: [&str; 3] = ["c++17", "c++20", "c++2b"];
@@ -44,16 +36,8 @@ fn example_prints_what_rust_computes() {
     let flat = f64::INFINITY;
     let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
     let patch = hertz(&radii, 80e3, 82e9, 0.28).expect("an ellipse");
-    let contact = Contact {
-        a: patch.a,
-        b: patch.b,
-        normal_force: 80e3,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
-    let motion = Creepage { longitudinal: 1e-3, lateral: 0.5e-3, spin: 0.4 };
+    let contact = Contact { a: patch.a, b: patch.b, ..C0 };
+    let motion = creep(1e-3, 0.5e-3, 0.4);
     let close = |printed: f64, exact: f64, decimals: i32| {
         let allowed = 0.51 * 10_f64.powi(-decimals) + 1e-12 * exact.abs();
         assert!((printed - exact).abs() <= allowed, "{printed}, should be {exact}");
@@ -72,7 +56,7 @@ fn example_prints_what_rust_computes() {
         forces::forces_of_contact(&contact, motion, &Options { model, ..options })
             .expect("a solution")
     };
-    let rolling = |longitudinal, lateral| Creepage { longitudinal, lateral, spin: 0.0 };
+    let rolling = |longitudinal, lateral| creep(longitudinal, lateral, 0.0);
     // C11 and C22: linear forces over G a b times creepage
     let coefficients = &numbers(text, "linear")[0];
     let stiffness = 82e9 * patch.a * patch.b * 1e-3;
@@ -98,15 +82,7 @@ fn example_prints_what_rust_computes() {
         close(row[0], solve(&rolling(i as f64 * 1e-3, 0.0), forces::Model::Total).fx, 4);
     }
     assert_eq!(numbers(text, "batch")[0], curve[8]);
-    let wet = SlipFriction {
-        friction: 0.3,
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 20.0,
-        slope_factor: 0.5,
-        slide_factor: 0.0,
-        layer: 0.0,
-    };
+    let wet = falling(0.3, 0.4, 0.6, 20.0, 0.5);
     let solution = friction::solve_with_law(&contact, &motion, &wet, &options).expect("a solution");
     close(numbers(text, "wet")[0][0], solution.solution.fy, 4);
     close(numbers(text, "wet")[0][1], solution.friction, 6);

@@ -5,15 +5,11 @@
 //! the program prints at that place. Shell blocks run in the root of the repository. `no-run` after
 //! the language of a shell block: it is only parsed, and the scripts that it names must exist.
 
+use crate::prelude::*;
 use crate::structure::rust_files;
-use crate::toolchain;
-
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use crate::toolchain::{python, released};
+use std::path::PathBuf;
 use std::process::Command;
-use toolchain::{
-    cpp_compilers, output_of, python, released, root, run_cpp, run_source, say, scratch,
-};
 
 pub struct Block {
     pub language: String,

@@ -16,5 +16,6 @@ mod firmware;
 mod no_alloc;
 mod other_languages;
 mod packaging;
+mod prelude;
 mod proofs;
 mod structure;

@@ -1,11 +1,6 @@
 //! Nothing in the library allocates: an allocator that counts calls gets none.
 
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::material::{Material, combine};
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{Field, Model, Options, forces_of_contact, solve_jacobian, strips};
+use crate::prelude::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -68,7 +63,7 @@ macro_rules! everything {
             (1e-3, -8e-3, 3.0),
             (<$float>::NAN, 0.0, 0.0),
         ] {
-            let motion = Creepage { longitudinal: x, lateral: y, spin: s };
+            let motion = creep(x, y, s);
             for model in Model::ALL {
                 for count in [4, 8, 16, 32, 64] {
                     let count = StripCount::from_number(count).unwrap();

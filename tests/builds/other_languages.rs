@@ -1,7 +1,8 @@
 //! Fortran, MATLAB and Octave.
 
 use crate::fortran;
-use crate::toolchain::{library, output_of, root, run_source, say, scratch};
+use crate::prelude::*;
+use crate::toolchain::library;
 use std::path::PathBuf;
 use std::process::Command;
 

@@ -1,9 +1,8 @@
 //! The structure of the sources: which folder and which file uses which, and the width of lines.
 
 use crate::docs::{blocks, entries, read};
-use crate::toolchain::root;
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Path, PathBuf};
+use crate::prelude::*;
+use std::path::PathBuf;
 
 /// Pairs of a user and what it uses.
 type Arrows = BTreeSet<(String, String)>;

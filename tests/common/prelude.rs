@@ -1,6 +1,6 @@
 //! What most tests use.
 
-#![allow(unused_imports)]
+#![allow(unused_imports, dead_code)]
 
 pub use approx::assert_relative_eq;
 pub use kstrip::contact::creepage::{Creepage, Parameters};
@@ -49,3 +49,30 @@ pub use std::f64::consts::PI;
 pub use std::mem::MaybeUninit;
 pub use std::path::Path;
 pub use std::ptr::null_mut;
+
+/// A wheel on a rail.
+pub const C0: Contact<f64> = Contact {
+    a: 6e-3,
+    b: 4.5e-3,
+    normal_force: 80e3,
+    shear_modulus: 82e9,
+    poisson_ratio: 0.28,
+    friction: 0.3,
+    mismatch: 0.0,
+};
+
+pub const fn creep<F>(longitudinal: F, lateral: F, spin: F) -> Creepage<F> {
+    Creepage { longitudinal, lateral, spin }
+}
+
+/// Friction that falls with the slip, of clean bodies.
+pub const fn falling(
+    friction: f64,
+    ratio: f64,
+    decay: f64,
+    rolling_speed: f64,
+    slope_factor: f64,
+) -> SlipFriction<f64> {
+    let (slide_factor, layer) = (0.0, 0.0);
+    SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
+}

@@ -12,7 +12,7 @@
 
 use crate::prelude::*;
 use crate::toolchain::{root, run_c_with};
-use crate::{single, toolchain};
+use crate::single;
 use kstrip::friction;
 
 const CASES: u32 = 100_000;
@@ -122,7 +122,7 @@ pub fn draw(i: u32, salt: u32, below: u32) -> u32 {
     (x ^ (x >> 16)) % below
 }
 
-fn creep(i: u32, salt: u32, unit: f64) -> f64 {
+fn drawn(i: u32, salt: u32, unit: f64) -> f64 {
     let sizes = [1.0, 10.0, 100.0, 1000.0, 10000.0];
     let whole = f64::from(draw(i, salt, 2001)) - 1000.0;
     if draw(i, salt + 1, 8) == 0 {
@@ -142,11 +142,7 @@ pub fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
         friction: f64::from(1 + draw(i, 6, 100)) / 100.0,
         mismatch: 0.0,
     };
-    let creepage = Creepage {
-        longitudinal: creep(i, 7, 1000.0),
-        lateral: creep(i, 10, 1000.0),
-        spin: creep(i, 13, 10.0),
-    };
+    let creepage = creep(drawn(i, 7, 1000.0), drawn(i, 10, 1000.0), drawn(i, 13, 10.0));
     let options = Options {
         model: Model::ALL[i as usize % 5],
         strips: StripCount::from_number(4 << draw(i, 16, 5)).expect("a count"),
@@ -336,11 +332,7 @@ impl<F: Bits> Case<'_, F> {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         for zeros in 0..5 {
             let kept = |nth, x| if zeros == nth || zeros == 4 { F::zero() } else { x };
-            let motion = Creepage {
-                longitudinal: kept(1, longitudinal),
-                lateral: kept(2, lateral),
-                spin: kept(3, spin),
-            };
+            let motion = creep(kept(1, longitudinal), kept(2, lateral), kept(3, spin));
             hash.result(forces::forces_of_contact(contact, &motion, options));
         }
         let mut strips = Vec::new();
@@ -420,8 +412,7 @@ impl<F: Bits> Case<'_, F> {
             .filter_map(|n| {
                 let share = part::<F>(n * n, 16.0);
                 let Creepage { longitudinal, lateral, spin } = *creepage;
-                let motion =
-                    Creepage { longitudinal: longitudinal * share, lateral: lateral * share, spin };
+                let motion = creep(longitudinal * share, lateral * share, spin);
                 let found = friction::solve_with_law(contact, &motion, law, options).ok()?.solution;
                 Some(MeasuredForce {
                     longitudinal: motion.longitudinal,

@@ -59,7 +59,7 @@ fn hash_rigs<F: Bits>(hash: &mut Hash) {
             let unit = friction * normal_force / (a * b * shear_modulus);
             let of = |salt| f64::from(1 + draw(i, salt, 40)) / 10.0 * unit;
             let longitudinal = [0.0, 0.1, 1.0][draw(i, 24, 3) as usize] * of(21);
-            creepage = Creepage { longitudinal, lateral: of(22), spin: -of(23) / a };
+            creepage = creep(longitudinal, of(22), -of(23) / a);
         }
         let contact: Contact<F> = converted(&contact);
         let creepage: Creepage<F> = converted_motion(&creepage);
@@ -111,11 +111,7 @@ fn hash_folds<F: Bits>(hash: &mut Hash) {
             slide_factor: F::zero(),
             layer: F::zero(),
         };
-        let creepage = Creepage {
-            longitudinal: near(-2.592_569e-3, 5),
-            lateral: near(-8.262_624e-3, 6),
-            spin: near(-0.888_384, 7),
-        };
+        let creepage = creep(near(-2.592_569e-3, 5), near(-8.262_624e-3, 6), near(-0.888_384, 7));
         let model = [Model::Total, Model::Total, Model::Strip][i as usize % 3];
         let options = Options { model, strips: StripCount::Eight };
         let found = solve_with_law(&contact, &creepage, &law, &options);

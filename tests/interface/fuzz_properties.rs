@@ -279,7 +279,7 @@ fn derivatives_at_the_ends_of_the_range() {
     // at rest, derivatives or not: no force, and adhesion everywhere
     for model in Model::ALL {
         for (zero, count) in [(0.0, StripCount::Four), (-0.0, StripCount::SixtyFour)] {
-            let rest = Creepage { longitudinal: 0.0, lateral: zero, spin: zero };
+            let rest = creep(0.0, zero, zero);
             let (found, _) = solve_jacobian(&wheel, &rest, &of(model, count)).unwrap();
             let bits = |r: Solution<f64>| [r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits);
             let plain = forces_of_contact(&wheel, &rest, &of(model, count)).unwrap();
@@ -333,8 +333,7 @@ fn patches_at_the_ends_of_the_range() {
     let (peak_pressure, friction) = (3.8e7, 3.8e30);
     let rough = PatchStrip { y, width, half_length, centre_x, peak_pressure, friction };
     let patch = Patch::<f32, 4>::from_strips(&[rough], 5e37, 0.01).unwrap();
-    let (view, motion) =
-        (patch.view().unwrap(), Creepage { longitudinal: 1e-3, lateral: 0.1, spin: 48.0 });
+    let (view, motion) = (patch.view().unwrap(), creep(1e-3, 0.1, 48.0));
     let field = PatchField::new(&view, &motion, None, Model::Strip1967Continuous);
     assert!(field.is_err_and(|error| error == Error::Overflow));
 }

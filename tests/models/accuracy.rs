@@ -3,8 +3,8 @@
 
 use crate::prelude::*;
 use crate::reference::*;
-use crate::theory::options;
 use crate::slopes;
+use crate::theory::options;
 use std::collections::HashSet;
 use std::fmt::Write;
 

@@ -174,7 +174,7 @@ fn derivatives_at_rest_are_the_linear_slopes() {
             }
         }
         let single = single::single(&c);
-        let rest = Creepage { longitudinal: 0.0_f32, lateral: 0.0, spin: 0.0 };
+        let rest = creep(0.0_f32, 0.0, 0.0);
         let (_, j) = forces::solve_jacobian(&single, &rest, &sixteen(MODELS[0])).unwrap();
         let expected = c.shear_modulus * c.a * c.b * PI * PI / 4.0;
         assert!((f64::from(j[(1, 1)]) / expected - 1.0).abs() < 3e-7);
@@ -262,7 +262,7 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
 #[test]
 fn derivatives_without_load_or_friction_are_those_of_sliding() {
     let full = contact(1.5, 0.28);
-    let m = Creepage { longitudinal: 1e-3, lateral: -4e-4, spin: 0.1 };
+    let m = creep(1e-3, -4e-4, 0.1);
     for model in Model::ALL {
         let o = options(model, StripCount::Sixteen);
         for (load, friction) in [(0.0, 0.3), (full.normal_force, 0.0), (0.0, 0.0)] {
@@ -297,7 +297,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
         }
     }
     // No motion, no force, whatever the load
-    let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+    let rest = creep(0.0, 0.0, 0.0);
     for model in Model::ALL {
         for c in [full, Contact { friction: 0.0, ..full }, Contact { normal_force: 0.0, ..full }] {
             let (_, d) = derivatives::forces_and_derivatives(
@@ -321,7 +321,7 @@ fn derivatives_in_full_sliding() {
         // power)
         let size = if model == Model::Strip { 30.0 } else { 0.3 };
         for (vx, vy) in [(size, 0.0), (0.0, -size)] {
-            let m = Creepage { longitudinal: vx, lateral: vy, spin: 0.0 };
+            let m = creep(vx, vy, 0.0);
             let (_, d) =
                 derivatives::forces_and_derivatives(&c, &m, &options(model, StripCount::Sixteen))
                     .unwrap();
@@ -404,20 +404,11 @@ fn derivatives_beyond_unit_spin_in_single_precision() {
 /// slopes are those next to it.
 #[test]
 fn derivatives_where_creepage_vanishes_at_the_rim() {
-    let round = Contact {
-        a: 0.00390625,
-        b: 0.00390625,
-        normal_force: 80e3,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.5,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
+    let round = Contact { a: 0.00390625, b: 0.00390625, poisson_ratio: 0.5, ..C0 };
     for lateral in [-3e-3, -1e-4, 0.0, 1e-5, 2e-4, 2e-3] {
         for turned in [-1.0, 1.0] {
             // υx = a φ
-            let at =
-                |hair| Creepage { longitudinal: turned * 0.0009765625 + hair, lateral, spin: 0.25 };
+            let at = |hair| creep(turned * 0.0009765625 + hair, lateral, 0.25);
             for model in [Model::Strip1967, Model::Strip1967Continuous] {
                 let options = Options { model, strips: StripCount::Sixteen };
                 let slope = |hair| forces::solve_jacobian(&round, &at(hair), &options).unwrap().1;

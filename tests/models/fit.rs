@@ -5,26 +5,11 @@ use kstrip::friction;
 use kstrip::rig::fit::FrictionFit;
 
 /// The locomotive of `eurosprinter_measured.csv`.
-const LOCOMOTIVE: Contact<f64> = Contact {
-    a: 6.304e-3,
-    b: 12.61e-3,
-    normal_force: 106.7e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.33,
-    mismatch: 0.0,
-};
+const LOCOMOTIVE: Contact<f64> =
+    Contact { a: 6.304e-3, b: 12.61e-3, normal_force: 106.7e3, friction: 0.33, ..C0 };
 
 /// Constant but for the members that are named.
-const START: SlipFriction<f64> = SlipFriction {
-    friction: 0.35,
-    ratio: 0.5,
-    decay: 0.3,
-    rolling_speed: 10.0,
-    slope_factor: 0.3,
-    slide_factor: 0.0,
-    layer: 0.0,
-};
+const START: SlipFriction<f64> = falling(0.35, 0.5, 0.3, 10.0, 0.3);
 
 const ONE: [bool; 6] = [true, true, true, true, false, false];
 const TWO: [bool; 6] = [true, true, true, true, true, false];
@@ -34,7 +19,7 @@ fn total() -> Options {
 }
 
 fn along(creepage: f64) -> Creepage<f64> {
-    Creepage { longitudinal: creepage, lateral: 0.0, spin: 0.0 }
+    creep(creepage, 0.0, 0.0)
 }
 
 fn point(creepage: f64, fx: f64) -> MeasuredForce<f64> {
@@ -158,7 +143,7 @@ fn a_law_finds_itself() {
     let points: Vec<_> = (1..=12)
         .map(|i| {
             let size = 2e-4 * f64::from(i * i);
-            let m = Creepage { longitudinal: size, lateral: 0.5 * size, spin: 0.1 };
+            let m = creep(size, 0.5 * size, 0.1);
             let found =
                 friction::solve_with_law(&LOCOMOTIVE, &m, &truth, &total()).unwrap().solution;
             let Creepage { longitudinal, lateral, spin } = m;

@@ -17,19 +17,7 @@ pub fn with_slopes_under(
 }
 
 /// Polach's dry rail at 20 m/s.
-const DRY: SlipFriction<f64> = SlipFriction {
-    friction: 0.55,
-    ratio: 0.4,
-    decay: 0.6,
-    rolling_speed: 20.0,
-    slope_factor: 1.0,
-    slide_factor: 0.0,
-    layer: 0.0,
-};
-
-fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
-    Creepage { longitudinal, lateral, spin }
-}
+const DRY: SlipFriction<f64> = falling(0.55, 0.4, 0.6, 20.0, 1.0);
 
 fn any_contact(random: &mut Random) -> Contact<f64> {
     contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
@@ -92,15 +80,13 @@ fn friction_agrees_with_the_slip() {
         let c = any_contact(&mut random);
         let m = any_motion(&mut random, &c, 1.0);
         let o = any_options(n);
-        let law = SlipFriction {
-            friction: random.between(0.1, 0.6),
-            ratio: random.between(0.0, 1.0),
-            decay: random.log_between(0.05, 3.0),
-            rolling_speed: random.between(1.0, 80.0),
-            slope_factor: random.between(0.2, 1.0),
-            slide_factor: 0.0,
-            layer: 0.0,
-        };
+        let law = falling(
+            random.between(0.1, 0.6),
+            random.between(0.0, 1.0),
+            random.log_between(0.05, 3.0),
+            random.between(1.0, 80.0),
+            random.between(0.2, 1.0),
+        );
         let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         if found.solution.warning == Warning::NotConverged {
             continue;
@@ -136,13 +122,13 @@ fn full_sliding_is_polachs_law() {
     let c = contact(1.2, 0.28);
     for o in (0..4).map(any_options) {
         for slip in [0.05, 0.1, 0.3] {
-            let found = friction::solve_with_law(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+            let found = friction::solve_with_law(&c, &creep(slip, 0.0, 0.0), &DRY, &o).unwrap();
             let mu = 0.55 * (0.6 * (-0.6 * 20.0 * slip).exp() + 0.4);
             assert!((found.friction - mu).abs() < 4e-15, "{o:?} {slip}");
             assert!((found.solution.fx - mu * c.normal_force).abs() < 6e-15 * c.normal_force);
         }
         // No slip: full friction
-        let found = friction::solve_with_law(&c, &motion(0.0, 0.0, 0.0), &DRY, &o).unwrap();
+        let found = friction::solve_with_law(&c, &creep(0.0, 0.0, 0.0), &DRY, &o).unwrap();
         assert_eq!((found.friction, found.solution.fx), (0.55, 0.0));
     }
 }
@@ -156,8 +142,8 @@ fn slope_factor_stretches_the_creep_curve() {
         for k in [0.1, 0.5, 0.9] {
             let law = SlipFriction { friction: 0.3, ratio: 1.0, slope_factor: k, ..DRY };
             for size in [1e-6, 1e-3, 3e-3, 1.0] {
-                let m = motion(size, -0.4 * size, 30.0 * size);
-                let stretched = motion(k * size, -0.4 * k * size, 30.0 * k * size);
+                let m = creep(size, -0.4 * size, 30.0 * size);
+                let stretched = creep(k * size, -0.4 * k * size, 30.0 * k * size);
                 let found = friction::solve_with_law(&c, &m, &law, &o).unwrap().solution;
                 let plain = forces::forces_of_contact(&c, &stretched, &o).unwrap();
                 let size = plain.fx.abs() + plain.fy.abs();
@@ -165,8 +151,8 @@ fn slope_factor_stretches_the_creep_curve() {
                 assert!((found.fy - plain.fy).abs() < 3e-14 * size);
                 assert!((found.mz - plain.mz).abs() < 4e-13 * size * c.a);
             }
-            let (_, j) = with_slopes_under(&c, &motion(0.0, 0.0, 0.0), &law, &o).unwrap();
-            let (_, clean) = forces::solve_jacobian(&c, &motion(0.0, 0.0, 0.0), &o).unwrap();
+            let (_, j) = with_slopes_under(&c, &creep(0.0, 0.0, 0.0), &law, &o).unwrap();
+            let (_, clean) = forces::solve_jacobian(&c, &creep(0.0, 0.0, 0.0), &o).unwrap();
             assert!((j[(0, 0)] / clean[(0, 0)] - k).abs() < 4e-15);
         }
     }
@@ -182,15 +168,13 @@ fn derivatives_follow_friction_and_slip() {
         let c = any_contact(&mut random);
         let m = any_motion(&mut random, &c, 0.3);
         let o = any_options(n);
-        let law = SlipFriction {
-            friction: 0.3,
-            ratio: random.between(0.1, 0.9),
-            decay: random.log_between(0.1, 1.0),
-            rolling_speed: random.between(1.0, 50.0),
-            slope_factor: random.between(0.3, 1.0),
-            slide_factor: 0.0,
-            layer: 0.0,
-        };
+        let law = falling(
+            0.3,
+            random.between(0.1, 0.9),
+            random.log_between(0.1, 1.0),
+            random.between(1.0, 50.0),
+            random.between(0.3, 1.0),
+        );
         let (found, exact) = with_slopes_under(&c, &m, &law, &o).unwrap();
         let same = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let bound = law.friction * c.normal_force;
@@ -209,7 +193,7 @@ fn derivatives_follow_friction_and_slip() {
             let f = |t: f64| {
                 let mut q = [m.longitudinal, m.lateral, m.spin];
                 q[k] += t * units[k];
-                let s = friction::solve_with_law(&c, &motion(q[0], q[1], q[2]), &law, &o)
+                let s = friction::solve_with_law(&c, &creep(q[0], q[1], q[2]), &law, &o)
                     .unwrap()
                     .solution;
                 [s.fx / rows[0], s.fy / rows[1], s.mz / rows[2]]
@@ -235,7 +219,7 @@ fn traction_curve_has_a_maximum() {
     let c = contact(1.2, 0.28);
     let o = Options::default();
     let pull = |slip: f64| {
-        let (found, j) = with_slopes_under(&c, &motion(slip, 0.0, 0.0), &DRY, &o).unwrap();
+        let (found, j) = with_slopes_under(&c, &creep(slip, 0.0, 0.0), &DRY, &o).unwrap();
         (found.solution.fx, j[(0, 0)])
     };
     let mut turns = 0;
@@ -292,17 +276,15 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
         let m = theory::creepage(&c, xi, eta, 0.3 * psi);
         let o = any_options(n);
         let rolling_speed = random.log_between(10.0, 100.0);
-        let law = SlipFriction {
-            friction: 0.3,
-            ratio: random.between(0.0, 0.2),
-            decay: random.log_between(0.02, 0.3)
+        let law = falling(
+            0.3,
+            random.between(0.0, 0.2),
+            random.log_between(0.02, 0.3)
                 / size
                 / (rolling_speed * m.longitudinal.hypot(m.lateral)),
             rolling_speed,
-            slope_factor: 1.0,
-            slide_factor: 0.0,
-            layer: 0.0,
-        };
+            1.0,
+        );
         let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let all = solutions(&c, &m, &law, &o, 0.03);
         if found.solution.warning == Warning::NotConverged {
@@ -330,15 +312,7 @@ fn several_solutions_are_noticed_and_the_largest_is_taken() {
 #[test]
 fn several_solutions_of_total_are_noticed() {
     let (longitudinal, lateral, spin) = (-3.6296e-2, -1.15674e-1, -12.437376);
-    let law = SlipFriction {
-        friction: 0.270_816_31,
-        ratio: 0.313_705_79,
-        decay: 3.110_822_06,
-        rolling_speed: 14.0424,
-        slope_factor: 1.0,
-        slide_factor: 0.0,
-        layer: 0.0,
-    };
+    let law = falling(0.270_816_31, 0.313_705_79, 3.110_822_06, 14.0424, 1.0);
     let [longitudinal, lateral, spin] =
         [longitudinal, lateral, spin].map(|slip| slip / law.rolling_speed);
     let m = Creepage { longitudinal, lateral, spin };
@@ -364,7 +338,7 @@ fn several_solutions_of_total_are_noticed() {
 #[test]
 fn limits_are_answered() {
     let c = contact(1.0, 0.28);
-    let m = motion(0.01, 0.002, 0.3);
+    let m = creep(0.01, 0.002, 0.3);
     for o in (0..4).map(any_options) {
         for (c, law) in [
             (Contact { normal_force: 0.0, ..c }, DRY),

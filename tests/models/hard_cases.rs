@@ -10,12 +10,8 @@ use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
 use kstrip::friction::derivatives::LawDerivatives;
 
 const WHEEL: Contact<f64> = Contact { b: 4e-3, ..C0 };
-const MOTION: Creepage<f64> = Creepage { longitudinal: 1e-3, lateral: -5e-4, spin: 0.2 };
-const REST: Creepage<f64> = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
-
-fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
-    Creepage { longitudinal, lateral, spin }
-}
+const MOTION: Creepage<f64> = creep(1e-3, -5e-4, 0.2);
+const REST: Creepage<f64> = creep(0.0, 0.0, 0.0);
 
 /// What a function is asked about.
 type Asked<'a, F> = (&'a Contact<F>, &'a Creepage<F>, &'a kstrip_options);
@@ -204,7 +200,7 @@ fn near(got: [f64; 4], expected: [f64; 4], allowed: f64) -> bool {
 #[test]
 fn zero_creepage() {
     for zero in [0.0, -0.0] {
-        for (model, single, got) in answers(&WHEEL, &motion(zero, zero, 0.0)) {
+        for (model, single, got) in answers(&WHEEL, &creep(zero, zero, 0.0)) {
             let stick = if model == Model::Total { -1.0 } else { 1.0 };
             let allowed = if single { 1e-6 } else { 1e-12 };
             assert!(got[..3] == [0.0; 3] && (got[3] - stick).abs() < allowed, "{model:?} {got:?}");
@@ -281,7 +277,7 @@ fn spin_of_exactly_one() {
             let (exact, _) = law.totals();
             // Neighbours on both sides, in case the factor is one unit in the last place off 1
             for psi in [1.0 - f64::EPSILON, 1.0, 1.0 + f64::EPSILON] {
-                let m = motion(xi * 0.71, law.eta, psi * sign);
+                let m = creep(xi * 0.71, law.eta, psi * sign);
                 let got = answer::<f64>(&c, &m, MODELS[0]).unwrap();
                 // measured 2.3e-8
                 assert!(near(got, exact, 2e-7), "{law:?}: {got:?} {exact:?}");
@@ -294,7 +290,7 @@ fn spin_of_exactly_one() {
 /// Down to the subnormal numbers the forces are the linear ones.
 #[test]
 fn tiny_creepage_is_linear() {
-    let at = |size: f64| motion(size, -2.0 * size, 3.0 * size / WHEEL.a);
+    let at = |size: f64| creep(size, -2.0 * size, 3.0 * size / WHEEL.a);
     for (model, unit) in Model::ALL.map(|m| (m, answer::<f64>(&WHEEL, &at(1e-15), m).unwrap())) {
         for size in [1e-300, 1e-250, 1e-160, 1e-154, 1e-100, 1e-30] {
             let got = answer::<f64>(&WHEEL, &at(size), model).unwrap();
@@ -305,7 +301,7 @@ fn tiny_creepage_is_linear() {
         }
     }
     for size in [5e-324, 1e-310, 1e-200, 1e-45, 1e-38, 1e-30] {
-        for (model, _, got) in answers(&WHEEL, &motion(size, size, size)) {
+        for (model, _, got) in answers(&WHEEL, &creep(size, size, size)) {
             let stick = if model == Model::Total { -1.0 } else { 1.0 };
             assert!(near(got, [0.0, 0.0, 0.0, stick], 1e-6), "{model:?} {size:e}: {got:?}");
         }
@@ -315,7 +311,7 @@ fn tiny_creepage_is_linear() {
 #[test]
 fn huge_creepage_saturates() {
     for size in [1e3, 1e18, 1e30, 1e90, 1e150, 1e200, 1e299] {
-        for (model, single, got) in answers(&WHEEL, &motion(3.0 * size, -4.0 * size, 0.0)) {
+        for (model, single, got) in answers(&WHEEL, &creep(3.0 * size, -4.0 * size, 0.0)) {
             // along the rigid slip (3, −4); by the continuous rule along (ξ, η)
             let [x, y] = if model == MODELS[1] { [3.0 / 0.72, -4.0] } else { [3.0, -4.0] };
             let length = f64::hypot(x, y);
@@ -324,17 +320,17 @@ fn huge_creepage_saturates() {
             assert!(off < allowed || model == Model::Linear, "{model:?} {size:e}: {got:?}");
         }
         // Spin alone: no force along x, and a moment on the lower body along the spin
-        for (model, _, found) in everywhere(&WHEEL, &motion(0.0, 0.0, size)) {
+        for (model, _, found) in everywhere(&WHEEL, &creep(0.0, 0.0, size)) {
             let alone = found.is_err_and(|error| error != Error::SemiAxis)
                 || found.is_ok_and(|got| got[0].abs() < 1e-12 && got[2] >= 0.0);
             assert!(alone, "{model:?} {size:e}: {found:?}");
         }
     }
-    for m in [motion(1e300, 0.0, 0.0), motion(0.0, -1e300, 0.0), motion(1e300, 1e300, 1e308)] {
+    for m in [creep(1e300, 0.0, 0.0), creep(0.0, -1e300, 0.0), creep(1e300, 1e300, 1e308)] {
         let _ = everywhere(&WHEEL, &m);
     }
     // Beyond f32 the cast gives infinity, which is refused
-    let beyond = answer::<f32>(&WHEEL, &motion(1e300, 0.0, 0.0), Model::Total);
+    let beyond = answer::<f32>(&WHEEL, &creep(1e300, 0.0, 0.0), Model::Total);
     assert_eq!(beyond, Err(Error::NotFinite));
 }
 
@@ -347,7 +343,7 @@ fn wildly_different_creepages() {
         for (k, y) in sizes.into_iter().enumerate() {
             for s in sizes {
                 let (sx, sy) = [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0)][(i + k) % 3];
-                let m = motion(sx * x, sy * y, s);
+                let m = creep(sx * x, sy * y, s);
                 for model in Model::ALL {
                     let [double, single] =
                         [answer::<f64>(&WHEEL, &m, model), answer::<f32>(&WHEEL, &m, model)];
@@ -395,7 +391,7 @@ fn needle_ellipses() {
                     }
                 }
             }
-            let _ = everywhere(&c, &motion(MOTION.longitudinal, MOTION.lateral, 1e3));
+            let _ = everywhere(&c, &creep(MOTION.longitudinal, MOTION.lateral, 1e3));
         }
     }
 }
@@ -407,7 +403,7 @@ fn nothing_is_carried_without_load_or_friction() {
         Contact { normal_force: -1.0, ..WHEEL },
         Contact { friction: 0.0, ..WHEEL },
     ] {
-        for m in [MOTION, REST, motion(0.1, 0.1, 10.0)] {
+        for m in [MOTION, REST, creep(0.1, 0.1, 10.0)] {
             for (model, _, [fx, fy, mz, stick]) in answers(&c, &m) {
                 if model != Model::Linear || c.is_lost() {
                     assert_eq!([fx.abs(), fy.abs(), mz.abs()], [0.0; 3], "{model:?} {c:?} {m:?}");
@@ -437,7 +433,7 @@ fn nothing_is_carried_without_load_or_friction() {
 fn subnormal_loads_slide() {
     for load in [5e-324, 1e-310, 1e-300, 1e-200, 1e-45, 1e-40, 1e-37, 1e-30] {
         let c = Contact { normal_force: load, ..WHEEL };
-        for (model, single, got) in answers(&c, &motion(1e-3, 0.0, 0.0)) {
+        for (model, single, got) in answers(&c, &creep(1e-3, 0.0, 0.0)) {
             // (few digits are left of the bound)
             let smallest = if single { 1e-45 } else { 5e-324 };
             let allowed = 2e-3 + smallest / (WHEEL.friction * load);

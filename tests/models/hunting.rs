@@ -22,7 +22,7 @@ fn linearised(model: Model, conicity: f64, speed: f64) -> Matrix4<f64> {
     rates[(3, 1)] = -YAW_SPRING / INERTIA;
     for side in [-1.0, 1.0] {
         let (arm, cone) = (side * HALF_GAUGE, side * conicity / RADIUS);
-        let straight = Creepage { longitudinal: 0.0, lateral: 0.0, spin: -cone };
+        let straight = creep(0.0, 0.0, -cone);
         let (_, jacobian) = solve_jacobian(&CONTACT, &straight, &options).expect("forces");
         let jacobian: Matrix3<f64> = jacobian;
         #[rustfmt::skip]

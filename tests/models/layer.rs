@@ -190,7 +190,7 @@ fn slopes_at_rest_are_those_of_springs_in_series() {
         let model = [Model::Total, Model::Strip, Model::Linear][n % 3];
         let LinearCoefficients { c11, c22, c23, .. } =
             LinearCoefficients::at(c.a / c.b, c.poisson_ratio);
-        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let rest = creep(0.0, 0.0, 0.0);
         let law = law(c.friction, 0.0, layer);
         let [[xx, ..], [_, yy, yz], _] =
             differentiate_with_law(&c, &rest, Some(&law), &options(model))
@@ -253,11 +253,7 @@ fn limits_hold_behind_a_layer() {
         let share = random.between(0.3, 3.0);
         let other =
             SlipFriction { friction: law.friction * share, decay: law.decay / share, ..law };
-        let more = Creepage {
-            longitudinal: m.longitudinal * share,
-            lateral: m.lateral * share,
-            spin: m.spin * share,
-        };
+        let more = creep(m.longitudinal * share, m.lateral * share, m.spin * share);
         let t = forces(&c, &more, &other, &o);
         if law.falls_mildly(&c, &m) {
             assert!((t.fx / share - s.fx).abs() + (t.fy / share - s.fy).abs() < 1e-9 * bound);
@@ -427,11 +423,11 @@ fn forces_are_continuous_behind_a_layer() {
         let end = SlipFriction { ratio: start.ratio, decay: start.decay, ..end };
         let at = |t: f64| {
             let mean = |p: f64, q: f64| p + (q - p) * t;
-            let m = Creepage {
-                longitudinal: mean(from.longitudinal, to.longitudinal),
-                lateral: mean(from.lateral, to.lateral),
-                spin: mean(from.spin, to.spin),
-            };
+            let m = creep(
+                mean(from.longitudinal, to.longitudinal),
+                mean(from.lateral, to.lateral),
+                mean(from.spin, to.spin),
+            );
             let law = SlipFriction {
                 friction: mean(start.friction, end.friction),
                 rolling_speed: start.rolling_speed,
@@ -671,7 +667,7 @@ fn fields_behind_a_layer_are_finite_for_any_slip() {
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
         for (slip, layer) in [(4e24, 0.0), (4e24, 4e-14), (1e20, 4e-14), (1e-25, 4e-14)] {
             let law = SlipFriction { layer, slope_factor: 0.5, ..SlipFriction::of_constant(0.3) };
-            let m = Creepage { longitudinal: -8e-4 * slip, lateral: -slip, spin: 1e-3 };
+            let m = creep(-8e-4 * slip, -slip, 1e-3);
             let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
             let of_patch = PatchField::new(&view, &m, Some(&law), model).unwrap();
             for k in -18..19 {
@@ -698,7 +694,7 @@ fn fields_of_bodies_that_hardly_resist_are_finite() {
         friction: 2.6,
         mismatch: 0.01,
     };
-    let m = Creepage { longitudinal: -0.0156, lateral: 0.0031, spin: 1.6 };
+    let m = creep(-0.0156, 0.0031, 1.6);
     let constant = SlipFriction::of_constant(1.4);
     let law = SlipFriction { slope_factor: 5.5e-5, slide_factor: 0.05, layer: 4.5e-13, ..constant };
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
@@ -717,7 +713,7 @@ fn patches_of_hardly_any_stiffness_are_finite() {
     let c = any_contact(&mut Random::new(7));
     let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let view = patch.view().unwrap();
-    let m = Creepage { longitudinal: 2e-5, lateral: -2.4e-4, spin: 0.03 };
+    let m = creep(2e-5, -2.4e-4, 0.03);
     for slope_factor in [1e-300, f64::from_bits(1)] {
         let law = SlipFriction { slope_factor, ..SlipFriction::of_constant(0.3) };
         let found =

@@ -1,7 +1,5 @@
 //! The models against CONTACT, their slopes, patches, friction and the inverse.
 
-use kstrip::contact::Contact;
-
 #[path = "../common/manchester.rs"]
 mod manchester;
 #[path = "../common/names.rs"]
@@ -55,14 +53,3 @@ mod wheel_plausibility;
 mod wheel_positions;
 mod wheel_rail;
 mod wheelset;
-
-/// A wheel on a rail.
-const C0: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4.5e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.3,
-    mismatch: 0.0,
-};

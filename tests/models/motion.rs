@@ -7,15 +7,7 @@ use kstrip::friction;
 use kstrip::motion::{MotionDerivatives, differentiate_motion, solve_motion};
 
 const FLOOR: f64 = 0.02;
-const WET: SlipFriction<f64> = SlipFriction {
-    friction: 0.3,
-    ratio: 0.4,
-    decay: 0.6,
-    rolling_speed: 0.0,
-    slope_factor: 0.5,
-    slide_factor: 0.0,
-    layer: 0.0,
-};
+const WET: SlipFriction<f64> = falling(0.3, 0.4, 0.6, 0.0, 0.5);
 /// Behind a layer that sliding softens.
 const SOFT: SlipFriction<f64> = SlipFriction { decay: 0.0, slide_factor: 0.5, layer: 3e-14, ..WET };
 const LAWS: [Option<SlipFriction<f64>>; 3] = [None, Some(WET), Some(SOFT)];
@@ -67,11 +59,11 @@ fn far_from_standstill_one_end_leads() {
             let ratio = FLOOR / speed;
             let divisor = speed * (ratio * ratio + 1.0).sqrt();
             assert!((divisor / speed.hypot(FLOOR) - 1.0).abs() < 1e-15);
-            let creepage = Creepage {
-                longitudinal: sign * (m.slip_x / divisor),
-                lateral: sign * (m.slip_y / divisor),
-                spin: m.spin_rate / divisor,
-            };
+            let creepage = creep(
+                sign * (m.slip_x / divisor),
+                sign * (m.slip_y / divisor),
+                m.spin_rate / divisor,
+            );
             let plain = forces::forces_of_contact(&c, &creepage, &o).unwrap();
             let expected = [sign * plain.fx, sign * plain.fy, plain.mz];
             let (found, mu) = solve_motion(&c, &m, None, &o).unwrap();
@@ -318,15 +310,7 @@ fn friction_falls_with_the_slip_velocity_at_standstill() {
 /// needs no slope factor.
 #[test]
 fn a_law_of_zeros_behaves_as_written() {
-    let zero = SlipFriction {
-        friction: 0.0,
-        ratio: 0.0,
-        decay: 0.0,
-        rolling_speed: 0.0,
-        slope_factor: 0.0,
-        slide_factor: 0.0,
-        layer: 0.0,
-    };
+    let zero = falling(0.0, 0.0, 0.0, 0.0, 0.0);
     let mut random = Random::new(208);
     for n in 0..100 {
         let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
@@ -419,7 +403,7 @@ fn wheel_spin_at_standstill_is_not_implausible() {
 /// lateral slip: neither end leads.
 #[test]
 fn at_rest_the_contact_is_a_damper_of_linear_theory() {
-    let still = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+    let still = creep(0.0, 0.0, 0.0);
     for model in Model::ALL {
         let (_, slopes) =
             derivatives::forces_and_derivatives(&C0, &still, &options(model)).unwrap();

@@ -134,7 +134,7 @@ fn irregular_patches_keep_the_bounds() {
             );
         }
         let Creepage { longitudinal, lateral, spin } = motion;
-        let opposite = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin: -spin };
+        let opposite = creep(-longitudinal, -lateral, -spin);
         let opposite = solve(&patch, &opposite, model);
         assert_eq!([opposite.fx, opposite.fy, opposite.mz], [-found.fx, -found.fy, -found.mz]);
         assert_eq!(opposite.power, found.power);
@@ -153,7 +153,7 @@ fn a_mirrored_patch_gives_mirrored_forces() {
             patch.strips.iter().map(|strip| PatchStrip { y: -strip.y, ..*strip }).collect();
         let mirrored = Full::from_strips(&strips, 82e9, 0.28).unwrap();
         let Creepage { longitudinal, lateral, spin } = motion;
-        let other = Creepage { longitudinal, lateral: -lateral, spin: -spin };
+        let other = creep(longitudinal, -lateral, -spin);
         let model = WITH_STRIPS[i % 3];
         let (found, other) = (solve(&patch, &motion, model), solve(&mirrored, &other, model));
         let unit = patch.view().unwrap().friction_bound();
@@ -180,8 +180,7 @@ fn a_moved_patch_is_the_same_patch() {
         let moved = Full::from_strips(&strips, 82e9, 0.28).unwrap();
         // υx − φ y and υy + φ x are the creepages at a point
         let Creepage { longitudinal, lateral, spin } = motion;
-        let there =
-            Creepage { longitudinal: longitudinal + spin * y, lateral: lateral - spin * x, spin };
+        let there = creep(longitudinal + spin * y, lateral - spin * x, spin);
         let model = WITH_STRIPS[i % 3];
         let (found, other) = (solve(&patch, &motion, model), solve(&moved, &there, model));
         let unit = patch.view().unwrap().friction_bound();
@@ -492,7 +491,7 @@ fn hard_inputs() {
             strip(1.0, pick(), pick(), pick(), pick()),
             strip(5.0, pick(), pick(), pick(), pick()),
         ];
-        let motion = Creepage { longitudinal: pick(), lateral: -pick(), spin: pick() };
+        let motion = creep(pick(), -pick(), pick());
         let model = WITH_STRIPS[i % 3];
         let Ok(patch) = Full::from_strips(&strips, 82e9, 0.28) else {
             refusals += 1;

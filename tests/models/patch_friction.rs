@@ -148,7 +148,7 @@ fn full_sliding_is_polachs_law() {
         let patch = irregular(&mut random);
         let view = patch.view().unwrap();
         for slip in [0.2, 0.5, 2.0] {
-            let m = Creepage { longitudinal: slip, lateral: 0.0, spin: 0.0 };
+            let m = creep(slip, 0.0, 0.0);
             let found = solve_patch_with_law(&view, &m, &DRY, SMOOTH[i % 2]).unwrap();
             let share = 0.6 * (-0.6 * 20.0 * slip).exp() + 0.4;
             assert!((found.share - share).abs() < 4e-15, "{slip} {found:?}");
@@ -224,7 +224,7 @@ fn friction_of_each_strip_falls_alike() {
     let mut patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let greasy = |strip: &&mut PatchStrip<f64>| strip.y > 0.0;
     patch.strips.iter_mut().filter(greasy).for_each(|strip| strip.friction = 0.05);
-    let m = Creepage { longitudinal: 0.05, lateral: 0.0, spin: 0.0 };
+    let m = creep(0.05, 0.0, 0.0);
     let view = patch.view().unwrap();
     let found = solve_patch_with_law(&view, &m, &DRY, Model::Strip).unwrap();
     let slipping = patch.clone().under(found.share, 1.0);

@@ -30,9 +30,9 @@ pub fn irregular(random: &mut Random) -> Full {
 /// From adhesion to sliding.
 pub fn motion(random: &mut Random) -> Creepage<f64> {
     let size = random.log_between(1e-5, 1e-1);
-    Creepage {
-        longitudinal: size * random.between(-1.0, 1.0),
-        lateral: size * random.between(-1.0, 1.0),
-        spin: size * random.between(-300.0, 300.0),
-    }
+    creep(
+        size * random.between(-1.0, 1.0),
+        size * random.between(-1.0, 1.0),
+        size * random.between(-300.0, 300.0),
+    )
 }

@@ -299,7 +299,7 @@ fn profiles_in_single_precision() {
 fn zones_merge_without_a_jump() {
     let n = 1000;
     let y: Vec<f64> = (-n..=n).map(|i| 20e-3 * f64::from(i) / f64::from(n)).collect();
-    let motion = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
+    let motion = creep(3e-4, 5e-4, 0.1);
     for (crest, merging, zones) in
         [(70e-6, [150e3, 160e3], [true, false]), (30e-6, [76e3, 84e3], [true, true])]
     {
@@ -406,7 +406,7 @@ fn wide_contacts_do_not_jump() {
 /// approach, of the force divided by `μ N`.
 #[test]
 fn a_zone_appears_and_a_gap_closes_slowly() {
-    let motion = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
+    let motion = creep(1e-3, 5e-4, 0.3);
     let at = |shift: f64| {
         let (y, mut distance) = two_bottoms(shift);
         for (y, distance) in y.iter().zip(&mut distance) {

@@ -122,7 +122,7 @@ fn what_the_force_does_not_tell_is_said() {
         let e = at(&large, 10.0 * forces::forces_of_contact(&c, &large, &o).unwrap().fx).unwrap();
         assert_eq!(e.warning, Warning::FrictionAtLeast);
         // At rest nothing is known
-        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let rest = creep(0.0, 0.0, 0.0);
         assert_eq!(at(&rest, 0.0).unwrap().warning, Warning::FrictionAtLeast);
         // No force in spite of slip: no friction
         let e = at(&large, 0.0).unwrap();

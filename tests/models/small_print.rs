@@ -113,14 +113,14 @@ fn warnings_begin_where_they_say() {
     let radius = (c.a * c.b).sqrt();
     let light = Contact { normal_force: c.normal_force * 1e-3, ..c };
     for (share, warning) in [(0.998, Warning::None), (1.002, Warning::Spin)] {
-        let m = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.05 * share / radius };
+        let m = creep(0.0, 0.0, 0.05 * share / radius);
         let o = options(Model::Total, StripCount::Sixteen);
         assert_eq!(forces::forces_of_contact(&light, &m, &o).unwrap().warning, warning, "{share}");
     }
     for (friction, warning) in [(4.99, Warning::None), (5.01, Warning::Friction)] {
         let slippery = Contact { friction, ..c };
         let o = options(Model::Total, StripCount::Sixteen);
-        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let rest = creep(0.0, 0.0, 0.0);
         assert_eq!(
             forces::forces_of_contact(&slippery, &rest, &o).unwrap().warning,
             warning,
@@ -159,7 +159,7 @@ fn linear_theory_overflows_on_needles_either_way() {
             let (long, short) = (10_f64.powi(exponent), 10_f64.powi(-exponent));
             let at = |a: f64, b: f64| {
                 let c = Contact { a, b, ..c };
-                let m = Creepage { longitudinal: size, lateral: size, spin: 0.0 };
+                let m = creep(size, size, 0.0);
                 forces::check(&c, &m, &o)
             };
             assert_eq!(at(long, short), at(short, long), "1e{exponent}");

@@ -3,10 +3,6 @@
 use crate::prelude::*;
 use crate::single::single;
 
-fn motion(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
-    Creepage { longitudinal, lateral, spin }
-}
-
 /// In units of `μ N`, `μ N √(ab)`, and the patch.
 fn numbers(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 4] {
     let bound = c.friction * c.normal_force;
@@ -29,9 +25,9 @@ fn short_paths_join_the_long_one() {
         let (on, beside) = match n / 20 % 5 {
             0 => (Creepage { spin: 0.0, ..m }, Creepage { spin: hair, ..m }),
             1 => (Creepage { longitudinal: 0.0, ..m }, Creepage { longitudinal: hair, ..m }),
-            2 => (motion(m.longitudinal, 0.0, 0.0), motion(m.longitudinal, hair, -hair)),
-            3 => (motion(0.0, 0.0, m.spin), motion(-hair, hair, m.spin)),
-            _ => (motion(0.0, 0.0, 0.0), motion(hair, -hair, hair)),
+            2 => (creep(m.longitudinal, 0.0, 0.0), creep(m.longitudinal, hair, -hair)),
+            3 => (creep(0.0, 0.0, m.spin), creep(-hair, hair, m.spin)),
+            _ => (creep(0.0, 0.0, 0.0), creep(hair, -hair, hair)),
         };
         let [short, long] =
             [on, beside].map(|m| numbers(&c, &forces::forces_of_contact(&c, &m, &o).unwrap()));
@@ -56,7 +52,7 @@ fn short_paths_join_in_single_precision() {
         let m = theory::creepage(&wide, xi, eta, 0.6 * psi);
         let (x, y, s) = (m.longitudinal as f32, m.lateral as f32, m.spin as f32);
         let at = |x, y, s| {
-            let m = Creepage { longitudinal: x, lateral: y, spin: s };
+            let m = creep(x, y, s);
             let got = forces::forces_of_contact(&c, &m, &o).unwrap();
             let bound = c.friction * c.normal_force;
             [got.fx / bound, got.fy / bound, got.mz / (bound * (c.a * c.b).sqrt()), got.adhesion]

@@ -28,7 +28,7 @@ fn state(random: &mut Random) -> (Contact<f64>, Creepage<f64>) {
     };
     let unit = contact.friction * NORMAL_FORCE / (SHEAR_MODULUS * SIZE * SIZE);
     let [x, y, spin] = [0.3, 0.3, 0.5].map(|size| random.between(-size, size) * unit);
-    (contact, Creepage { longitudinal: x, lateral: y, spin: spin / SIZE })
+    (contact, creep(x, y, spin / SIZE))
 }
 
 fn forces(solution: &Solution<f64>) -> [f64; 3] {
@@ -58,7 +58,7 @@ fn a_contact_of_hertz_knows_its_pair() {
 fn at_rest_there_is_a_force_where_it_rolls() {
     let unlike = Contact { mismatch: pair(), ..contact(1.5, 0.3) };
     let exchanged = Contact { mismatch: -unlike.mismatch, ..unlike };
-    let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+    let rest = creep(0.0, 0.0, 0.0);
     for model in MODELS {
         let [found, other] = [&unlike, &exchanged]
             .map(|c| forces::forces_of_contact(c, &rest, &options(model)).unwrap());
@@ -113,15 +113,7 @@ fn derivatives_go_through_the_shift() {
     for case in 0..150 {
         let (contact, creepage) = state(&mut random);
         let options = options(MODELS[case % 3]);
-        let law = (case % 2 == 1).then_some(SlipFriction {
-            friction: contact.friction,
-            ratio: 0.4,
-            decay: 0.6,
-            rolling_speed: 20.0,
-            slope_factor: 0.7,
-            slide_factor: 0.0,
-            layer: 0.0,
-        });
+        let law = (case % 2 == 1).then_some(falling(contact.friction, 0.4, 0.6, 20.0, 0.7));
         let solve =
             |contact: &Contact<f64>, creepage: &Creepage<f64>, law: Option<SlipFriction<f64>>| {
                 let found =
@@ -191,15 +183,7 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
         let (contact, creepage) = state(&mut random);
         let model = [Model::Strip, Model::Total][case % 2];
         let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
-        let law = (case % 4 > 1).then_some(SlipFriction {
-            friction: contact.friction,
-            ratio: 0.4,
-            decay: 0.6,
-            rolling_speed: 20.0,
-            slope_factor: 0.7,
-            slide_factor: 0.0,
-            layer: 0.0,
-        });
+        let law = (case % 4 > 1).then_some(falling(contact.friction, 0.4, 0.6, 20.0, 0.7));
         let found = patch_friction::differentiate_patch(
             &patch.view().unwrap(),
             &creepage,
@@ -266,7 +250,7 @@ fn agrees_with_contact() {
 /// friction and without.
 #[test]
 fn the_warning_of_a_mismatch_begins_at_a_quarter() {
-    let motion = Creepage { longitudinal: 1e-4, lateral: 0.0, spin: 0.0 };
+    let motion = creep(1e-4, 0.0, 0.0);
     let law = SlipFriction {
         ratio: 0.4,
         decay: 0.6,

@@ -5,7 +5,7 @@ use kstrip::batch::solve_batch;
 use kstrip::forces::derivatives;
 
 /// A worn wheel in a curve.
-const ROLLS: Creepage<f64> = Creepage { longitudinal: 1e-4, lateral: 1e-4, spin: 0.4 };
+const ROLLS: Creepage<f64> = creep(1e-4, 1e-4, 0.4);
 
 fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Warning); 8] {
     [

@@ -188,21 +188,19 @@ fn own_creepages_of_a_rigid_motion_are_that_motion() {
     let contacts = contacts(3e-3, false);
     let patch = &contacts[0].patch;
     let view = patch.view().unwrap();
-    let whole = Creepage { longitudinal: 1.2e-3, lateral: -2e-3, spin: 0.4 };
+    let whole = creep(1.2e-3, -2e-3, 0.4);
     for share in [0.0, 0.3, 1.0] {
         let rest = 1.0 - share;
-        let common = Creepage {
-            longitudinal: rest * whole.longitudinal,
-            lateral: rest * whole.lateral,
-            spin: rest * whole.spin,
-        };
+        let common = creep(rest * whole.longitudinal, rest * whole.lateral, rest * whole.spin);
         let own: Vec<_> = view
             .strips()
             .iter()
-            .map(|strip| Creepage {
-                longitudinal: share * (whole.longitudinal - whole.spin * strip.y),
-                lateral: share * (whole.lateral + whole.spin * strip.centre_x),
-                spin: share * whole.spin,
+            .map(|strip| {
+                creep(
+                    share * (whole.longitudinal - whole.spin * strip.y),
+                    share * (whole.lateral + whole.spin * strip.centre_x),
+                    share * whole.spin,
+                )
             })
             .collect();
         let curved = view.with_own_creepages(&own).unwrap();
@@ -294,7 +292,7 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
             capacity: 64,
             reserved: 0,
         };
-        let rest = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+        let rest = creep(0.0, 0.0, 0.0);
         let (patch, own) = (Some(&contact.patch), own.as_ptr());
         // SAFETY: each pointer is NULL or valid; as many creepages as strips, room for all strips.
         let found = unsafe {

@@ -412,15 +412,7 @@ fn derivatives_by_velocity_are_those_of_differences() {
 /// and slopes are those of differences.
 #[test]
 fn friction_falls_with_the_slip() {
-    let law = SlipFriction {
-        friction: 0.3,
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 0.0,
-        slope_factor: 0.8,
-        slide_factor: 0.0,
-        layer: 0.0,
-    };
+    let law = falling(0.3, 0.4, 0.6, 0.0, 0.8);
     for model in [Model::Strip, Model::Total] {
         let mut stand = Stand::new_profiles();
         let position = stand.at(1e-3, 80e3);

@@ -1,5 +1,7 @@
 //! Rounding: every model against the same formulas in 200 bits.
 
+#[path = "../common/prelude.rs"]
+mod prelude;
 #[path = "../common/random.rs"]
 mod random;
 

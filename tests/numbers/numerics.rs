@@ -5,15 +5,9 @@
 //! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table
 //! of that page.
 
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Parameters;
-use kstrip::contact::hertz::{Radii, hertz};
-use kstrip::contact::totals::{StripCount, Totals};
-use kstrip::forces::{Model, Options, solve_jacobian};
-use kstrip::number::Float;
+use crate::prelude::*;
+use kstrip::strip_1967;
 use kstrip::strip_1967::strip::adhesion_length;
-use kstrip::strip_1967::{self, strip::SlidingRule};
-use std::collections::BTreeMap;
 
 struct Row {
     what: String,

@@ -5,13 +5,8 @@
 //! of that page.
 
 use crate::precise::Precise;
+use crate::prelude::*;
 use crate::two_hundred_bits::{is_known, stated};
-
-use kstrip::contact::totals::StripCount;
-use kstrip::normal::cells::Given;
-use kstrip::normal::{Indentation, Profile, ProfileContact};
-use kstrip::number::Float;
-use kstrip::patch::{Patch, PatchStrip};
 
 /// Distance \[m\] over `y` \[m\].
 type Shape = fn(f64) -> f64;

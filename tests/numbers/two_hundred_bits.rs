@@ -7,24 +7,13 @@
 //! -- --nocapture` looks for worse cases, prints the table of that page, and writes the worst
 //! inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
 
-use crate::precise;
-use crate::random;
-
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::{Creepage, Parameters};
-use kstrip::contact::totals::StripCount;
+use crate::precise::Precise;
+use crate::prelude::*;
+use crate::random::Random;
+use crate::{precise, random};
 use kstrip::forces::derivatives::solve_jacobian;
-use kstrip::forces::{Model, Options};
-use kstrip::friction::SlipFriction;
-use kstrip::friction::derivatives::differentiate_with_law;
-use kstrip::linear::LinearCoefficients;
-use kstrip::number::Float;
-use kstrip::patch::{Patch, PatchStrip, QuadratureScale, friction, solver};
-use kstrip::status::Error;
+use kstrip::patch::friction;
 use kstrip::strip_1967::strip::adhesion_length;
-use nalgebra::Matrix3;
-use precise::Precise;
-use random::Random;
 
 /// `a, b, N, G, ν, μ, υx, υy, φ, V`: numbers of single precision, so that one reference serves both
 /// precisions.

@@ -22,11 +22,11 @@ fn parameters_follow_their_definitions() {
             friction: random.log_between(1e-3, 2.0),
             mismatch: 0.0,
         };
-        let motion = Creepage {
-            longitudinal: random.between(-0.1, 0.1),
-            lateral: random.between(-0.1, 0.1),
-            spin: random.between(-50.0, 50.0),
-        };
+        let motion = creep(
+            random.between(-0.1, 0.1),
+            random.between(-0.1, 0.1),
+            random.between(-50.0, 50.0),
+        );
         let p0 = 3.0 * c.normal_force / (2.0 * PI * c.a * c.b);
         let ratio = c.shear_modulus / (2.0 * c.friction * p0);
         let p = Parameters::new(&c, &motion);
@@ -64,8 +64,7 @@ fn parameters_of_a_round_example() {
         friction: 0.25,
         mismatch: 0.0,
     };
-    let p: Parameters<f64> =
-        Parameters::new(&c, &Creepage { longitudinal: 1e-3, lateral: -2e-3, spin: 0.5 });
+    let p: Parameters<f64> = Parameters::new(&c, &creep(1e-3, -2e-3, 0.5));
     assert!((p.xi - 0.16 / 0.75).abs() < 1e-15);
     assert!((p.eta + 0.32).abs() < 1e-15);
     assert!((p.psi - 0.8).abs() < 1e-15);
@@ -83,7 +82,7 @@ fn tiny_and_huge_creepages_keep_their_direction() {
     let c = theory::contact(1.0, 0.28);
     for exponent in -300..=300 {
         let size = 10f64.powi(exponent);
-        let motion = Creepage { longitudinal: 3.0 * size, lateral: -4.0 * size, spin: 0.0 };
+        let motion = creep(3.0 * size, -4.0 * size, 0.0);
         let p = Parameters::new(&c, &motion);
         assert!((p.xi * p.xi).is_finite() && (p.eta * p.eta).is_finite(), "1e{exponent}");
         assert!(p.xi > 0.0 && p.eta < 0.0 && p.psi == 0.0);
@@ -94,7 +93,7 @@ fn tiny_and_huge_creepages_keep_their_direction() {
             assert!((back.longitudinal / motion.longitudinal - 1.0).abs() < 4e-15);
             assert!((back.lateral / motion.lateral - 1.0).abs() < 4e-15);
         }
-        let spin = Creepage { longitudinal: 0.0, lateral: 0.0, spin: -size };
+        let spin = creep(0.0, 0.0, -size);
         let p = Parameters::new(&c, &spin);
         assert!(p.psi < 0.0 && (p.psi * p.psi).is_finite() && p.xi == 0.0 && p.eta == 0.0);
     }
@@ -107,7 +106,7 @@ fn tiny_and_huge_creepages_in_single_precision() {
     let c = single(&wide);
     for exponent in -30..=30 {
         let size = 10f32.powi(exponent);
-        let motion = Creepage { longitudinal: 3.0 * size, lateral: -4.0 * size, spin: size };
+        let motion = creep(3.0 * size, -4.0 * size, size);
         let p = Parameters::new(&c, &motion);
         assert!([p.xi, p.eta, p.psi].iter().all(|x| (x * x).is_finite()), "1e{exponent}");
         assert!(p.xi > 0.0 && p.eta < 0.0 && p.psi > 0.0);

@@ -24,14 +24,14 @@ fn linear_slopes_are_exact() {
                 // The next term is −(2/π) τ relative to the first: 1e-11
                 let tiny = 1e-11 * theory::slip_unit(&c);
                 let solve = |x, y, s| {
-                    let motion = Creepage { longitudinal: x, lateral: y, spin: s };
+                    let motion = creep(x, y, s);
                     forces::forces_of_contact(&c, &motion, &o).unwrap()
                 };
                 let along = solve(tiny, 0.0, 0.0);
                 let across = solve(0.0, tiny, 0.0);
                 let spin = tiny / c.a;
                 let turning = solve(0.0, 0.0, spin);
-                let zero = Creepage { longitudinal: 0.0, lateral: 0.0, spin: 0.0 };
+                let zero = creep(0.0, 0.0, 0.0);
                 let (_, j) = forces::solve_jacobian(&c, &zero, &o)
                     .unwrap_or_else(|error| panic!("{error:?} {c:?} {o:?}"));
                 let near = |got: f64, expected: f64, what: &str| {

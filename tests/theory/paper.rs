@@ -324,7 +324,7 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
     let strip_theory = |g: f64, nu: f64| {
         let c = contact(g, nu);
         let spin = 1e-9 / c.b;
-        let motion = Creepage { longitudinal: 0.0, lateral: 0.0, spin };
+        let motion = creep(0.0, 0.0, spin);
         let s =
             forces::forces_of_contact(&c, &motion, &options(Model::Strip1967, StripCount::Sixteen))
                 .unwrap();

@@ -79,10 +79,6 @@ fn contact(case: &Case) -> Contact<f64> {
     contact
 }
 
-const fn creepage(longitudinal: f64, lateral: f64, spin: f64) -> Creepage<f64> {
-    Creepage { longitudinal, lateral, spin }
-}
-
 /// From a thousandth of the load to twice it with Hertz's ellipse, of wheels also with that of the
 /// full load, from rest to a locked wheel and to one that turns six times too fast.
 #[test]
@@ -98,7 +94,7 @@ fn ordinary_contacts_are_not_warned_of() {
             for contact in [hertz.unwrap().0, if wheel { constant } else { full }] {
                 for [x, y] in [[0.0, 0.0], [1e-3, 2e-3], [-1.0, 0.0], [5.0, 1.0]] {
                     for spin in [0.0, case.spin, -case.spin] {
-                        let said = implausibility(&contact, &creepage(x, y, spin));
+                        let said = implausibility(&contact, &creep(x, y, spin));
                         assert_eq!(said, Warning::None, "{} {share} {x} {spin}", case.what);
                     }
                 }
@@ -112,7 +108,7 @@ fn ordinary_contacts_are_not_warned_of() {
 fn wrong_units_are_named() {
     for case in &ORDINARY {
         let right = contact(case);
-        let slips = creepage(1e-3, 1e-3, case.spin);
+        let slips = creep(1e-3, 1e-3, case.spin);
         let said = |contact: Contact<f64>| implausibility(&contact, &slips);
         // GPa and MPa for Pa
         for unit in [1e-9, 1e-6] {
@@ -139,7 +135,7 @@ fn wrong_units_are_named() {
             if case.friction > 0.05 { Warning::Friction } else { Warning::None }
         );
         // a creep curve to 20 %, in per cent
-        for motion in [creepage(20.0, 0.0, 0.0), creepage(0.0, -20.0, case.spin)] {
+        for motion in [creep(20.0, 0.0, 0.0), creep(0.0, -20.0, case.spin)] {
             assert_eq!(implausibility(&right, &motion), Warning::Creepage, "{}", case.what);
         }
     }
@@ -159,7 +155,7 @@ fn degrees_are_named() {
             continue;
         }
         found += 1;
-        let degrees = creepage(1e-3, 0.0, DEGREES * case.spin);
+        let degrees = creep(1e-3, 0.0, DEGREES * case.spin);
         assert_eq!(implausibility(&contact, &degrees), Warning::Spin, "{}", case.what);
     }
     assert!(found >= 8, "{found}");
@@ -173,7 +169,7 @@ fn a_wheel_is_told_from_tread_to_flange() {
     let (contact, _, _) = from_hertz(&wheel, &pair(82e9), 80e3, 0.3).unwrap();
     for degrees in 0..=75 {
         let spin = f64::from(degrees).to_radians().tan() / 0.46;
-        let said = |unit: f64| implausibility(&contact, &creepage(0.0, 0.0, unit * spin));
+        let said = |unit: f64| implausibility(&contact, &creep(0.0, 0.0, unit * spin));
         assert_eq!(said(1.0), Warning::None);
         assert_eq!(said(DEGREES) == Warning::Spin, degrees >= 5, "{degrees}");
     }
@@ -183,7 +179,7 @@ fn a_wheel_is_told_from_tread_to_flange() {
 #[test]
 fn limits_are_where_the_table_has_them() {
     let contact = contact(&ORDINARY[0]);
-    let still = creepage(0.0, 0.0, 0.0);
+    let still = creep(0.0, 0.0, 0.0);
     let Contact { a, b, shear_modulus, friction, .. } = contact;
     // N of p₀ = 0.1 G
     let pressed = |a: f64, b: f64| 0.1 * shear_modulus * (2.0 / 3.0) * std::f64::consts::PI * a * b;
@@ -201,12 +197,12 @@ fn limits_are_where_the_table_has_them() {
         assert_eq!(said(Contact { friction: 5.0 * share, ..contact }), of(Warning::Friction));
         assert_eq!(said(Contact { mismatch: -0.25 * share, ..contact }), of(Warning::Mismatch));
         for sign in [1.0, -1.0] {
-            let said = |x, y, spin| implausibility(&contact, &creepage(x, y, spin));
+            let said = |x, y, spin| implausibility(&contact, &creep(x, y, spin));
             let size = 10.0 * share * sign;
             assert_eq!(said(size, 0.0, 0.0), of(Warning::Creepage));
             assert_eq!(said(0.0, size, 0.0), of(Warning::Creepage));
             assert_eq!(said(0.0, 0.0, share * sign * inclined), of(Warning::Spin));
-            let edge = creepage(0.0, 0.0, share * sign * 0.05 / (a * b).sqrt());
+            let edge = creep(0.0, 0.0, share * sign * 0.05 / (a * b).sqrt());
             assert_eq!(implausibility(&light, &edge), of(Warning::Spin));
         }
         let warned = |radii: [f64; 4]| {
@@ -225,15 +221,15 @@ fn limits_are_where_the_table_has_them() {
 #[test]
 fn the_cause_is_named_and_not_what_follows() {
     let contact = contact(&ORDINARY[0]);
-    let spins = creepage(0.0, 0.0, 0.5);
+    let spins = creep(0.0, 0.0, 0.5);
     let millimetres = Contact { a: 6.0, b: 4.0, ..contact };
     assert_eq!(implausibility(&millimetres, &spins), Warning::SemiAxis);
-    assert_eq!(implausibility(&millimetres, &creepage(20.0, 0.0, 0.5)), Warning::SemiAxis);
+    assert_eq!(implausibility(&millimetres, &creep(20.0, 0.0, 0.5)), Warning::SemiAxis);
     let soft = Contact { shear_modulus: 82.0, ..contact };
-    assert_eq!(implausibility(&soft, &creepage(20.0, 0.0, 500.0)), Warning::Pressure);
+    assert_eq!(implausibility(&soft, &creep(20.0, 0.0, 500.0)), Warning::Pressure);
     // a lost contact has no pressure, and nothing slips in it
     let lost = Contact { normal_force: -1.0, shear_modulus: 82.0, ..contact };
-    assert_eq!(implausibility(&lost, &creepage(20.0, 0.0, 500.0)), Warning::None);
+    assert_eq!(implausibility(&lost, &creep(20.0, 0.0, 500.0)), Warning::None);
     for (warning, name) in [
         (Warning::Pressure, "pressure"),
         (Warning::Creepage, "creepage"),

@@ -4,6 +4,6 @@
 mod shared;
 
 pub(crate) use crate::random::Random;
-pub(crate) use crate::theory::{MODELS, contact, creepage, options};
 pub(crate) use crate::theory;
+pub(crate) use crate::theory::{MODELS, contact, creepage, options};
 pub(crate) use shared::*;

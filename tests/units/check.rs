@@ -36,7 +36,7 @@ fn usual_sizes_pass_every_check() {
                 friction,
                 mismatch: F::zero(),
             };
-            let creepage = Creepage { longitudinal: x, lateral: y, spin };
+            let creepage = creep(x, y, spin);
             for model in Model::ALL {
                 let (passes, found) = quick_and_full_check(&contact, &creepage, model);
                 assert!(passes && found.is_ok(), "{model:?} {contact:?} {creepage:?}");

@@ -3,6 +3,5 @@
 #[path = "../common/prelude.rs"]
 mod shared;
 
-pub(crate) use crate::random;
 pub(crate) use crate::random::Random;
 pub(crate) use shared::*;

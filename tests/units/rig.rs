@@ -31,7 +31,7 @@ fn opposed(random: &mut Random, n: usize, contact: &Contact<f64>, unit: f64) -> 
     let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
     let xi = xi * [0.0, 0.1, 1.0][n % 3];
     let spin = -size * eta.signum() * random.log_between(0.3, 3.0);
-    Creepage { longitudinal: xi * unit, lateral: eta * unit, spin: spin * unit / contact.a }
+    creep(xi * unit, eta * unit, spin * unit / contact.a)
 }
 
 /// The result is never larger than the friction that made the force, and where it is smaller, the
@@ -97,16 +97,10 @@ fn close_frictions_are_told() {
         a: 0.003_332_947_995_765_312,
         b: 0.004_572_332_013_238_725,
         normal_force: 13_446.922_882_196_719,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
         friction: 0.193_388_064_017_582_54,
-        mismatch: 0.0,
+        ..C0
     };
-    let motion = Creepage {
-        longitudinal: 0.0,
-        lateral: 9.379_477_888_511_603e-4,
-        spin: -0.517_434_099_177_47,
-    };
+    let motion = creep(0.0, 9.379_477_888_511_603e-4, -0.517_434_099_177_47);
     let o = options(Model::Total);
     let force = forces::forces_of_contact(&total, &motion, &o).unwrap();
     let found =
@@ -133,16 +127,11 @@ fn close_frictions_are_told() {
         a: 0.002_858_666_393_324_693_7,
         b: 0.000_376_578_449_471_886_9,
         normal_force: 1_878.811_251_898_882_6,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
         friction: 0.354_441_445_506_393_17,
-        mismatch: 0.0,
+        ..C0
     };
-    let motion = Creepage {
-        longitudinal: 5.412_615_851_504_647e-5,
-        lateral: -1.878_502_823_146_83e-10,
-        spin: -0.623_965_100_721_438_2,
-    };
+    let motion =
+        creep(5.412_615_851_504_647e-5, -1.878_502_823_146_83e-10, -0.623_965_100_721_438_2);
     let o = options(Model::Strip);
     let force = forces::forces_of_contact(&strip, &motion, &o).unwrap();
     let found =
@@ -166,7 +155,7 @@ fn creepages_cost_few_solutions() {
                 let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
                 let psi = random.sign() * random.between(low, high);
                 let (longitudinal, lateral) = (xi * unit, eta * unit);
-                let motion = Creepage { longitudinal, lateral, spin: psi * unit / contact.a };
+                let motion = creep(longitudinal, lateral, psi * unit / contact.a);
                 let o = options(model);
                 let made = forces::forces_of_contact(&contact, &motion, &o).unwrap();
                 let bound = contact.friction * contact.normal_force;
