@@ -78,8 +78,7 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
             panic!("seven columns: {row:?}")
         };
         let creepage = creep(longitudinal / 100.0, lateral / 100.0, spin);
-        let exact = forces::forces_of_contact(&contact, &creepage, &Options::default())
-            .expect("a solution");
+        let exact = solved(&contact, &creepage, &Options::default());
         assert_printed(fx, exact.fx, 2, "Fx");
         assert_printed(fy, exact.fy, 2, "Fy");
         assert_printed(mz, exact.mz, 4, "Mz");
@@ -127,8 +126,7 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
     let count = |character| f64::from(counts.get(&character).copied().unwrap_or(0));
     let inside = count('#') + count('.') + count('-');
     assert_close(inside * step * step / 2.0, PI * a * b, 0.02 * PI * a * b, "area of the map");
-    let adhesion =
-        forces::forces_of_contact(&contact, &creepage, &options).expect("a solution").adhesion;
+    let adhesion = solved(&contact, &creepage, &options).adhesion;
     assert_close(count('#') / inside, adhesion, 0.02, "stick in the map");
 }
 
@@ -159,7 +157,7 @@ fn creep_curves_hold_every_model() {
         let model = Model::from_number(number).expect("a model");
         let motion = creep(value(3), value(4), value(5));
         let options = Options { model, strips: StripCount::default() };
-        let exact = forces::forces_of_contact(&CONTACT, &motion, &options).expect("a solution");
+        let exact = solved(&CONTACT, &motion, &options);
         // Ten digits are printed; the creepage in the table is rounded to ten as well.
         let columns =
             [exact.fx, exact.fy, exact.mz, exact.power, exact.adhesion].map(|v| (v, v.abs()));
@@ -184,7 +182,7 @@ fn traction_field_adds_up_to_the_forces() {
     let text = run_c("c_examples/03_traction_field.c");
     let creepage = creep(0.0005, 0.001, 0.3);
     let options = Options { model: Model::Strip1967, strips: StripCount::ThirtyTwo };
-    let exact = forces::forces_of_contact(&CONTACT, &creepage, &options).expect("a solution");
+    let exact = solved(&CONTACT, &creepage, &options);
 
     // Strips, one by one and summed
     let mut strips: Vec<StripResult<f64>> = Vec::new();
@@ -266,7 +264,7 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
     assert_printed(printed[2], creepage.spin, 9, "spin");
 
-    let forces = forces::forces_of_contact(&CONTACT, &creepage, &TOTAL).expect("a solution");
+    let forces = solved(&CONTACT, &creepage, &TOTAL);
     let rail = line_of(&text, "force on the rail");
     let wheel = line_of(&text, "force on the wheel");
     let wanted = [forces.fx, forces.fy * tilt.cos(), forces.fy * tilt.sin(), forces.mz];
@@ -650,8 +648,7 @@ fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
             axis_ratio: a / b,
         };
         let creepage = parameters.creepage(&contact);
-        let f = forces::forces_of_contact(&contact, &creepage, &Options::default())
-            .expect("a solution");
+        let f = solved(&contact, &creepage, &Options::default());
         let force = f.fx.hypot(f.fy) / FRICTION_BOUND;
         row[3] += force / f64::from(directions);
         row[4] = row[4].min(force);
@@ -869,7 +866,7 @@ fn threads_and_rust_see_the_same_bits() {
             model: Model::from_number(1 + i % 5).expect("a model"),
             strips: StripCount::from_number(4 << (i / 5 % 5)).expect("a count"),
         };
-        let r = forces::forces_of_contact(&contact, &creepage, &options).expect("a solution");
+        let r = solved(&contact, &creepage, &options);
         for number in [r.fx, r.fy, r.mz, r.power, r.adhesion] {
             // FNV-1a
             hash = (hash ^ number.to_bits()).wrapping_mul(0x0100_0000_01b3);

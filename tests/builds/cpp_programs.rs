@@ -52,10 +52,8 @@ fn example_prints_what_rust_computes() {
     close(approach[0], 80e3, 3);
     assert!((approach[1] / (1.5 * 80e3 / patch.approach) - 1.0).abs() < 1e-6, "{approach:?}");
     let options = Options { model: forces::Model::Total, ..Options::default() };
-    let solve = |motion: &Creepage<f64>, model| {
-        forces::forces_of_contact(&contact, motion, &Options { model, ..options })
-            .expect("a solution")
-    };
+    let solve =
+        |motion: &Creepage<f64>, model| solved(&contact, motion, &Options { model, ..options });
     let rolling = |longitudinal, lateral| creep(longitudinal, lateral, 0.0);
     // C11 and C22: linear forces over G a b times creepage
     let coefficients = &numbers(text, "linear")[0];
@@ -115,8 +113,7 @@ fn example_prints_what_rust_computes() {
         close(row[1], point.traction_x / 1e6, 4);
     }
     let single = Contact { a: 6e-3, b: 4.5e-3, ..contact };
-    let exact =
-        forces::forces_of_contact(&single, &rolling(1e-3, 0.0), &options).expect("a solution").fx;
+    let exact = solved(&single, &rolling(1e-3, 0.0), &options).fx;
     // Single precision: 2e-6 of mu N is the promise, half a unit of the printed digit
     assert!((numbers(text, "single")[0][0] - exact).abs() < 2e-6 * 24e3 + 0.05);
 }

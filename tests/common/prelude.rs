@@ -76,3 +76,15 @@ pub const fn falling(
     let (slide_factor, layer) = (0.0, 0.0);
     SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
 }
+
+/// 16 strips, as any number for the totals of the theory of 1967
+/// (`limits::any_number_of_strips_has_the_same_totals`).
+pub const fn sixteen(model: Model) -> Options {
+    Options { model, strips: StripCount::Sixteen }
+}
+
+/// The forces, which there are.
+#[track_caller]
+pub fn solved<F: Float>(c: &Contact<F>, m: &Creepage<F>, o: &Options) -> Solution<F> {
+    forces_of_contact(c, m, o).unwrap()
+}

@@ -4,12 +4,8 @@
 //! adaptive Gauss quadrature in the angle of `Y = sin θ`, cut where the law of the strips changes.
 #![allow(dead_code)]
 
-use kstrip::contact::Contact;
-use kstrip::contact::creepage::Creepage;
-use kstrip::contact::totals::StripCount;
-use kstrip::forces::{Field, FieldStrip, Model, Options};
-use kstrip::strip_1967::strip::Strip;
-use std::f64::consts::PI;
+use crate::prelude::*;
+use kstrip::forces::FieldStrip;
 
 pub const COUNTS: [StripCount; 5] = [
     StripCount::Four,
@@ -25,26 +21,12 @@ pub fn options(model: Model, strips: StripCount) -> Options {
     Options { model, strips }
 }
 
-/// 16 strips, as any number for the totals of the theory of 1967
-/// (`limits::any_number_of_strips_has_the_same_totals`).
-pub fn sixteen(model: Model) -> Options {
-    options(model, StripCount::Sixteen)
-}
-
 /// A steel contact under 1 GPa with a given axis ratio and Poisson's ratio.
 pub fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
     let mean = 5e-3;
     let (a, b) = (mean * axis_ratio.sqrt(), mean / axis_ratio.sqrt());
     // N = (2/3) π a b p₀
-    Contact {
-        a,
-        b,
-        normal_force: 1e9 * 2.0 * PI * a * b / 3.0,
-        shear_modulus: 82e9,
-        poisson_ratio,
-        friction: 0.3,
-        mismatch: 0.0,
-    }
+    Contact { a, b, normal_force: 1e9 * 2.0 * PI * a * b / 3.0, poisson_ratio, ..C0 }
 }
 
 /// The strip of a field of the 1967 theory.
@@ -64,11 +46,7 @@ pub fn slip_unit(contact: &Contact<f64>) -> f64 {
 /// The creepage with Kalker's parameters `ξ`, `η`, `ψ`, (5.13) solved for the creepages.
 pub fn creepage(contact: &Contact<f64>, xi: f64, eta: f64, psi: f64) -> Creepage<f64> {
     let unit = slip_unit(contact);
-    Creepage {
-        longitudinal: xi * unit * (1.0 - contact.poisson_ratio),
-        lateral: eta * unit,
-        spin: psi * unit / contact.a,
-    }
+    creep(xi * unit * (1.0 - contact.poisson_ratio), eta * unit, psi * unit / contact.a)
 }
 
 /// Forces in units of `μ N`, the moment in units of `μ N √(ab)`, and the stick fraction.
@@ -76,7 +54,7 @@ pub fn solve(law: &Law) -> [f64; 4] {
     let contact = contact(law.axis_ratio, law.poisson_ratio);
     let motion = creepage(&contact, law.xi, law.eta, law.psi);
     let model = if law.continuous { Model::Strip1967Continuous } else { Model::Strip1967 };
-    let s = kstrip::forces::forces_of_contact(&contact, &motion, &sixteen(model)).unwrap();
+    let s = solved(&contact, &motion, &sixteen(model));
     let bound = contact.friction * contact.normal_force;
     let mean = (contact.a * contact.b).sqrt();
     let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];

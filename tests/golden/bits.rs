@@ -11,8 +11,8 @@
 //! change. With `KSTRIP_GOLDEN_FEW` only the first thousand are computed, in this build alone.
 
 use crate::prelude::*;
-use crate::toolchain::{root, run_c_with};
 use crate::single;
+use crate::toolchain::{root, run_c_with};
 use kstrip::friction;
 
 const CASES: u32 = 100_000;

@@ -115,7 +115,7 @@ fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
     let cases: Vec<Case> =
         open().into_iter().filter(|c| c.axis_ratio <= 0.2 && c.psi().abs() < 1.0).collect();
     assert!(cases.len() > 100, "{}", cases.len());
-    let errors = Errors::of_model::<f64>(&cases, &options(Model::Strip1967, StripCount::Sixteen));
+    let errors = Errors::of_model::<f64>(&cases, &sixteen(Model::Strip1967));
     let mean = figures(&errors.force).mean;
     let header = std::fs::read_to_string(project().join("include/kstrip.h")).expect("the header");
     let text = format!("mean error against CONTACT is {:.0} % of mu N there", 100.0 * mean);

@@ -2,12 +2,11 @@
 
 use crate::prelude::*;
 use crate::single;
-use crate::theory::sixteen;
 use kstrip::forces::derivatives;
 
 /// Forces over μN and moment over μN√(ab) for given parameters.
 fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {
-    let s = forces::forces_of_contact(c, &theory::creepage(c, p[0], p[1], p[2]), o).unwrap();
+    let s = solved(c, &theory::creepage(c, p[0], p[1], p[2]), o);
     let unit = c.friction * c.normal_force;
     [s.fx / unit, s.fy / unit, s.mz / (unit * (c.a * c.b).sqrt())]
 }
@@ -232,12 +231,12 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         let (same, j) = forces::solve_jacobian(&c, &m, &o).unwrap();
         let rows = std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]));
         assert_eq!((solution, d.jacobian), (same, rows), "{o:?}");
-        assert_eq!(solution, forces::forces_of_contact(&c, &m, &o).unwrap(), "{o:?}");
+        assert_eq!(solution, solved(&c, &m, &o), "{o:?}");
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let exact = change.slope(&c, &d);
             let units = change.of(&c, 0.0);
             let f = |t: f64| {
-                let s = forces::forces_of_contact(&change.of(&c, t), &m, &o).unwrap();
+                let s = solved(&change.of(&c, t), &m, &o);
                 let size = units.friction * units.normal_force;
                 [s.fx / size, s.fy / size, s.mz / (size * (units.a * units.b).sqrt())]
             };
@@ -264,7 +263,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
     let full = contact(1.5, 0.28);
     let m = creep(1e-3, -4e-4, 0.1);
     for model in Model::ALL {
-        let o = options(model, StripCount::Sixteen);
+        let o = sixteen(model);
         for (load, friction) in [(0.0, 0.3), (full.normal_force, 0.0), (0.0, 0.0)] {
             let c = Contact { normal_force: load, friction, ..full };
             let (s, d) = derivatives::forces_and_derivatives(&c, &m, &o).unwrap();
@@ -284,7 +283,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
                 friction: friction + little,
                 ..full
             };
-            let s = forces::forces_of_contact(&near, &m, &o).unwrap();
+            let s = solved(&near, &m, &o);
             let size = near.friction * near.normal_force;
             for (i, force) in [s.fx, s.fy, s.mz].into_iter().enumerate() {
                 let unit = if i == 2 { full.a } else { 1.0 };
@@ -300,12 +299,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
     let rest = creep(0.0, 0.0, 0.0);
     for model in Model::ALL {
         for c in [full, Contact { friction: 0.0, ..full }, Contact { normal_force: 0.0, ..full }] {
-            let (_, d) = derivatives::forces_and_derivatives(
-                &c,
-                &rest,
-                &options(model, StripCount::Sixteen),
-            )
-            .unwrap();
+            let (_, d) = derivatives::forces_and_derivatives(&c, &rest, &sixteen(model)).unwrap();
             let all = [d.normal_force, d.friction, d.load_through_hertz];
             assert_eq!(all, [[0.0; 3]; 3], "{model:?}");
         }
@@ -322,9 +316,7 @@ fn derivatives_in_full_sliding() {
         let size = if model == Model::Strip { 30.0 } else { 0.3 };
         for (vx, vy) in [(size, 0.0), (0.0, -size)] {
             let m = creep(vx, vy, 0.0);
-            let (_, d) =
-                derivatives::forces_and_derivatives(&c, &m, &options(model, StripCount::Sixteen))
-                    .unwrap();
+            let (_, d) = derivatives::forces_and_derivatives(&c, &m, &sixteen(model)).unwrap();
             let direction =
                 [vx.signum() * f64::from(vx != 0.0), vy.signum() * f64::from(vy != 0.0)];
             for (i, direction) in direction.into_iter().enumerate() {
@@ -410,7 +402,7 @@ fn derivatives_where_creepage_vanishes_at_the_rim() {
             // υx = a φ
             let at = |hair| creep(turned * 0.0009765625 + hair, lateral, 0.25);
             for model in [Model::Strip1967, Model::Strip1967Continuous] {
-                let options = Options { model, strips: StripCount::Sixteen };
+                let options = sixteen(model);
                 let slope = |hair| forces::solve_jacobian(&round, &at(hair), &options).unwrap().1;
                 let (own, beside) = (slope(0.0), [slope(-1e-9), slope(1e-9)]);
                 for beside in beside {

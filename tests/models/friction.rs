@@ -41,7 +41,7 @@ fn any_options(n: usize) -> Options {
 fn next(c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options, mu: f64) -> f64 {
     let shear_modulus = c.shear_modulus * law.slope_factor;
     let c = Contact { friction: mu, shear_modulus, ..*c };
-    let slip = forces::forces_of_contact(&c, m, o).unwrap().power / (mu * c.normal_force);
+    let slip = solved(&c, m, o).power / (mu * c.normal_force);
     // The theory of 1967 has a negative power in some contacts that spin; that is no slip.
     let w = law.rolling_speed * slip.max(0.0);
     law.friction * ((1.0 - law.ratio) * (-law.decay * w).exp() + law.ratio)
@@ -54,7 +54,7 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
         let c = any_contact(&mut random);
         let m = any_motion(&mut random, &c, 1.0);
         let o = options(Model::ALL[n % 5], StripCount::Eight);
-        let plain = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let plain = solved(&c, &m, &o);
         let with_slopes = forces::solve_jacobian(&c, &m, &o).unwrap();
         let law = SlipFriction { friction: c.friction, ..DRY };
         for law in [
@@ -138,14 +138,14 @@ fn full_sliding_is_polachs_law() {
 fn slope_factor_stretches_the_creep_curve() {
     let c = Contact { friction: 0.3, ..contact(0.8, 0.28) };
     for model in Model::ALL {
-        let o = options(model, StripCount::Sixteen);
+        let o = sixteen(model);
         for k in [0.1, 0.5, 0.9] {
             let law = SlipFriction { friction: 0.3, ratio: 1.0, slope_factor: k, ..DRY };
             for size in [1e-6, 1e-3, 3e-3, 1.0] {
                 let m = creep(size, -0.4 * size, 30.0 * size);
                 let stretched = creep(k * size, -0.4 * k * size, 30.0 * k * size);
                 let found = friction::solve_with_law(&c, &m, &law, &o).unwrap().solution;
-                let plain = forces::forces_of_contact(&c, &stretched, &o).unwrap();
+                let plain = solved(&c, &stretched, &o);
                 let size = plain.fx.abs() + plain.fy.abs();
                 assert!((found.fx - plain.fx).abs() < 5e-14 * size, "{model:?}");
                 assert!((found.fy - plain.fy).abs() < 3e-14 * size);
@@ -316,7 +316,7 @@ fn several_solutions_of_total_are_noticed() {
     let [longitudinal, lateral, spin] =
         [longitudinal, lateral, spin].map(|slip| slip / law.rolling_speed);
     let m = Creepage { longitudinal, lateral, spin };
-    let o = theory::sixteen(Model::Total);
+    let o = sixteen(Model::Total);
     let mut noticed = 0;
     for step in 0..16 {
         let normal_force = 3.782e3 + 3.0 * f64::from(step);

@@ -410,8 +410,8 @@ fn nothing_is_carried_without_load_or_friction() {
                     let sticks = m == REST && !c.is_lost();
                     assert!(sticks || stick < 1e-12, "{model:?} {c:?} {m:?} {stick}");
                 } else if m != REST {
-                    let o = options(model, StripCount::Sixteen);
-                    let warning = forces::forces_of_contact(&c, &m, &o).unwrap().warning;
+                    let o = sixteen(model);
+                    let warning = solved(&c, &m, &o).warning;
                     assert_eq!(warning, Warning::BeyondFriction);
                 }
             }
@@ -475,7 +475,7 @@ fn spin_beyond_the_theory_is_flagged() {
         (30.0, Warning::Spin),
     ] {
         let m = creepage(&c, 0.2, -0.3, psi);
-        let o = options(Model::Strip1967, StripCount::Sixteen);
+        let o = sixteen(Model::Strip1967);
         assert_eq!(forces::solve_jacobian(&c, &m, &o).unwrap().0.warning, warning);
         assert_eq!(forces::strips(&c, &m, &o, &mut |_| ()).unwrap(), warning);
         assert_eq!(Field::new(&c, &m, &o).unwrap().warning, warning);
@@ -498,8 +498,7 @@ fn power_bound_and_mirror_hold_to_rounding() {
         let psi = random.sign() * random.log_between(1e-3, if n % 2 == 0 { 10.0 } else { 1e18 });
         let m = theory::creepage(&c, xi, eta, psi);
         for model in [Model::Strip1967, Model::Strip1967Continuous, Model::Strip, Model::Total] {
-            let s =
-                forces::forces_of_contact(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+            let s = solved(&c, &m, &sixteen(model));
             assert!(s.power >= 0.0, "{model:?} {c:?} {m:?} {s:?}");
             (least, mirrored) = (least.min(s.power), mirrored + usize::from(xi == 0.0));
             let over = s.fx.hypot(s.fy) / (c.friction * c.normal_force) - 1.0;

@@ -14,7 +14,7 @@ const CONTACT: Contact<f64> = Contact { friction: 0.2, ..C0 };
 
 /// `d rate/d state` of the straight run; the state is place, yaw, and their rates.
 fn linearised(model: Model, conicity: f64, speed: f64) -> Matrix4<f64> {
-    let options = Options { model, strips: StripCount::Sixteen };
+    let options = sixteen(model);
     let mut rates = Matrix4::zeros();
     rates[(0, 2)] = 1.0;
     rates[(1, 3)] = 1.0;

@@ -11,10 +11,6 @@ fn law(friction: f64, slide_factor: f64, layer: f64) -> SlipFriction<f64> {
     SlipFriction { slide_factor, layer, ..SlipFriction::of_constant(friction) }
 }
 
-fn options(model: Model) -> Options {
-    Options { model, strips: StripCount::Sixteen }
-}
-
 fn forces(
     c: &Contact<f64>,
     m: &Creepage<f64>,
@@ -81,7 +77,7 @@ fn errors(model: Model) -> Vec<(f64, f64, f64)> {
     let of = |row: &Row| {
         let Contact { a, b, normal_force, friction, .. } = row.contact;
         let bound = normal_force * friction;
-        let found = forces(&row.contact, &row.creepage, &row.law, &options(model));
+        let found = forces(&row.contact, &row.creepage, &row.law, &sixteen(model));
         let [fx, fy, mz] = row.expected;
         let force = (found.fx / bound - fx).hypot(found.fy / bound - fy);
         (row.ratio, force, (found.mz / bound / (a * b).sqrt() - mz).abs())
@@ -193,7 +189,7 @@ fn slopes_at_rest_are_those_of_springs_in_series() {
         let rest = creep(0.0, 0.0, 0.0);
         let law = law(c.friction, 0.0, layer);
         let [[xx, ..], [_, yy, yz], _] =
-            differentiate_with_law(&c, &rest, Some(&law), &options(model))
+            differentiate_with_law(&c, &rest, Some(&law), &sixteen(model))
                 .unwrap()
                 .derivatives
                 .jacobian;
@@ -218,7 +214,7 @@ fn full_sliding_is_along_the_rigid_slip() {
         let model = [Model::Total, Model::Strip][n % 2];
         let angle = random.between(0.0, 6.3_f64);
         let m = theory::creepage(&c, 1e5 * angle.cos(), 1e5 * angle.sin(), 0.0);
-        let found = forces(&c, &m, &law, &options(model));
+        let found = forces(&c, &m, &law, &sixteen(model));
         let size = m.longitudinal.hypot(m.lateral);
         let bound = c.friction * c.normal_force;
         let [x, y] =
@@ -236,7 +232,7 @@ fn limits_hold_behind_a_layer() {
         let c = any_contact(&mut random);
         let law = any_law(&mut random, &c, n % 2 == 0);
         let m = any_motion(&mut random, &c);
-        let o = options([Model::Total, Model::Strip][n / 2 % 2]);
+        let o = sixteen([Model::Total, Model::Strip][n / 2 % 2]);
         let found = friction::solve_with_law(&c, &m, &law, &o).unwrap();
         let s = found.solution;
         let bound = found.friction * c.normal_force;
@@ -287,7 +283,7 @@ fn derivatives_behind_a_layer_are_exact() {
         let law = any_law(&mut random, &c, n % 3 != 0);
         let m = any_motion(&mut random, &c);
         let o =
-            options([Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Linear][n % 4]);
+            sixteen([Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Linear][n % 4]);
         let mismatch = if n % 5 == 0 { 0.1 } else { 0.0 };
         let c = Contact { mismatch, ..c };
         let found = differentiate_with_law(&c, &m, Some(&law), &o).unwrap();
@@ -411,7 +407,7 @@ fn forces_are_continuous_behind_a_layer() {
     let mut random = Random::new(306);
     for n in 0..600 {
         let c = any_contact(&mut random);
-        let o = options([Model::Total, Model::Strip][n % 2]);
+        let o = sixteen([Model::Total, Model::Strip][n % 2]);
         let (from, start) = (any_motion(&mut random, &c), any_law(&mut random, &c, n % 3 == 0));
         let (to, end) = (any_motion(&mut random, &c), any_law(&mut random, &c, false));
         // (from clean bodies, from a law without slide factor, or from any law)
@@ -462,7 +458,7 @@ fn a_thin_layer_is_none() {
     let mut random = Random::new(307);
     for n in 0..400 {
         let c = any_contact(&mut random);
-        let o = options(Model::ALL[n % 5]);
+        let o = sixteen(Model::ALL[n % 5]);
         let m = any_motion(&mut random, &c);
         let clean = law(c.friction, 0.0, 0.0);
         let expected = relative(&c, &m, &clean, &o);
@@ -573,7 +569,7 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
         let law = any_law(&mut random, &c, n % 3 == 0);
         let law = if n % 4 == 3 { SlipFriction { layer: 0.0, ..law } } else { law };
         let m = any_motion(&mut random, &c);
-        let o = options([Model::Strip, Model::Strip1967Continuous][n % 2]);
+        let o = sixteen([Model::Strip, Model::Strip1967Continuous][n % 2]);
         let o = Options { strips: StripCount::SixtyFour, ..o };
         let clean = SlipFriction { layer: 0.0, slide_factor: 0.0, ..law };
         for (k, law) in [clean, law].into_iter().enumerate() {
@@ -618,7 +614,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
         let law = any_law(&mut random, &c, n % 3 == 0);
         let c = Contact { friction: law.friction, ..c };
         let m = any_motion(&mut random, &c);
-        let o = options([Model::Strip, Model::Strip1967Continuous][n % 2]);
+        let o = sixteen([Model::Strip, Model::Strip1967Continuous][n % 2]);
         let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
         let view = patch.view().unwrap();
         let falls = law.ratio < 1.0 && law.decay * law.rolling_speed > 0.0;
@@ -668,7 +664,7 @@ fn fields_behind_a_layer_are_finite_for_any_slip() {
         for (slip, layer) in [(4e24, 0.0), (4e24, 4e-14), (1e20, 4e-14), (1e-25, 4e-14)] {
             let law = SlipFriction { layer, slope_factor: 0.5, ..SlipFriction::of_constant(0.3) };
             let m = creep(-8e-4 * slip, -slip, 1e-3);
-            let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
+            let field = LawField::new(&c, &m, Some(&law), &sixteen(model)).unwrap();
             let of_patch = PatchField::new(&view, &m, Some(&law), model).unwrap();
             for k in -18..19 {
                 let (x, y) = (3e-4 * (k / 2) as f32, 1e-3);
@@ -698,7 +694,7 @@ fn fields_of_bodies_that_hardly_resist_are_finite() {
     let constant = SlipFriction::of_constant(1.4);
     let law = SlipFriction { slope_factor: 5.5e-5, slide_factor: 0.05, layer: 4.5e-13, ..constant };
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
-        let field = LawField::new(&c, &m, Some(&law), &options(model)).unwrap();
+        let field = LawField::new(&c, &m, Some(&law), &sixteen(model)).unwrap();
         for (i, k) in (-10..11).flat_map(|i| (-10..11).map(move |k| (i, k))) {
             let strip = field.strip_at(0.1 * c.b * f64::from(i));
             let point = field.along(&strip, 0.1 * c.a * f64::from(k));

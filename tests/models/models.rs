@@ -17,10 +17,6 @@ fn saturating() -> Vec<Options> {
     fitted().into_iter().chain(of_1967.map(sixteen)).collect()
 }
 
-fn sixteen(model: Model) -> Options {
-    options(model, StripCount::Sixteen)
-}
-
 fn total() -> Options {
     sixteen(Model::Total)
 }
@@ -87,7 +83,7 @@ proptest! {
             let [x, y, z] = forces(g, nu, v, &options);
             prop_assert!(x.hypot(y) <= 1.0 + 1e-12, "{options:?}: {x} {y}");
             prop_assert!(z.abs() <= g.sqrt() + 1.0 / g.sqrt(), "{options:?}: {z}");
-            let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
+            let single = solved(&contact::<f32>(g, nu), &creepage(v), &options);
             let [x, y, _] = normalised(&single);
             prop_assert!(x.hypot(y) <= 1.0 + 1e-6, "{options:?} f32: {x} {y}");
             let known = (0.0..=1.0).contains(&single.adhesion);
@@ -146,7 +142,7 @@ proptest! {
     fn dissipative((g, nu) in shapes(1.15), v in creepages()) {
         for options in saturating() {
             let power =
-                forces_of_contact(&contact::<f64>(g, nu), &creepage(v), &options).unwrap().power;
+                solved(&contact::<f64>(g, nu), &creepage(v), &options).power;
             let [x, y, z] = forces(g, nu, v, &options);
             let sum = x * v[0] + y * v[1] + z * v[2];
             prop_assert!((power / (BOUND * UNIT) - sum).abs() <= 1e-12 * (1.0 + sum.abs()));
@@ -210,7 +206,7 @@ proptest! {
     #[test]
     fn single_precision((g, nu) in shapes(1.0), v in creepages()) {
         for options in fitted() {
-            let single = forces_of_contact(&contact::<f32>(g, nu), &creepage(v), &options).unwrap();
+            let single = solved(&contact::<f32>(g, nu), &creepage(v), &options);
             let difference = far(normalised(&single), forces(g, nu, v, &options));
             prop_assert!(difference <= 1e-4, "{options:?}: {difference:e}");
         }
@@ -222,7 +218,7 @@ proptest! {
         let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
         for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
             let options = options(model, COUNTS[count]);
-            let whole = forces_of_contact(&contact, &motion, &options).unwrap();
+            let whole = solved(&contact, &motion, &options);
             let mut parts: Vec<StripResult<f64>> = Vec::new();
             let warning =
                 forces::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
@@ -318,7 +314,7 @@ fn field_integrates_to_the_force() {
         ];
         let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
         let field = Field::new(&contact, &motion, &options).unwrap();
-        let whole = forces_of_contact(&contact, &motion, &options).unwrap();
+        let whole = solved(&contact, &motion, &options);
         let mut sum = [0.0; 4];
         forces::strips(&contact, &motion, &options, &mut |part| {
             let strip = field.strip_at(part.y);
@@ -359,7 +355,7 @@ fn zero_creepage(
 ) {
     let LinearCoefficients { c11, c22, c23, c33 } = LinearCoefficients::at(g, nu);
     for options in fitted().into_iter().chain([linear()]) {
-        let s = forces_of_contact(&contact::<f64>(g, nu), &creepage([0.0; 3]), &options).unwrap();
+        let s = solved(&contact::<f64>(g, nu), &creepage([0.0; 3]), &options);
         assert_eq!([s.fx, s.fy, s.mz, s.power], [0.0; 4], "{options:?}");
         assert!(options == total() || (s.adhesion - 1.0).abs() < 1e-12, "{options:?} {s:?}");
         let j = slopes(g, nu, [0.0; 3], &options);
@@ -381,7 +377,7 @@ fn notices() {
     for options in fitted() {
         let warning = |g: f64, psi: f64| {
             let v = creepage([0.1, 0.0, spin_of(psi, g)]);
-            forces_of_contact(&contact::<f64>(g, 0.28), &v, &options).unwrap().warning
+            solved(&contact::<f64>(g, 0.28), &v, &options).warning
         };
         let beyond = if options == total() { Warning::None } else { Warning::OutsideRange };
         for (g, psi, expected) in [
@@ -408,10 +404,7 @@ fn notices() {
     let c11 = LinearCoefficients::at(1.0, 0.28).c11;
     for (share, expected) in [(0.999, Warning::None), (1.001, Warning::BeyondFriction)] {
         let v = creepage([share / c11, 0.0, 0.0]);
-        assert_eq!(
-            forces_of_contact(&contact::<f64>(1.0, 0.28), &v, &linear()).unwrap().warning,
-            expected
-        );
+        assert_eq!(solved(&contact::<f64>(1.0, 0.28), &v, &linear()).warning, expected);
     }
 }
 

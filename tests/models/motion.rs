@@ -12,10 +12,6 @@ const WET: SlipFriction<f64> = falling(0.3, 0.4, 0.6, 0.0, 0.5);
 const SOFT: SlipFriction<f64> = SlipFriction { decay: 0.0, slide_factor: 0.5, layer: 3e-14, ..WET };
 const LAWS: [Option<SlipFriction<f64>>; 3] = [None, Some(WET), Some(SOFT)];
 
-fn options(model: Model) -> Options {
-    Options { model, strips: StripCount::Sixteen }
-}
-
 fn of(solution: &Solution<f64>) -> [f64; 3] {
     [solution.fx, solution.fy, solution.mz]
 }
@@ -52,7 +48,7 @@ fn any_speed(random: &mut Random) -> f64 {
 fn far_from_standstill_one_end_leads() {
     let mut random = Random::new(201);
     for n in 0..400 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let speed = if n % 3 == 0 { 0.06 } else { random.log_between(0.0601, 100.0) };
         for sign in [1.0, -1.0] {
             let m = any_motion(&mut random, &c, sign * speed);
@@ -64,7 +60,7 @@ fn far_from_standstill_one_end_leads() {
                 sign * (m.slip_y / divisor),
                 m.spin_rate / divisor,
             );
-            let plain = forces::forces_of_contact(&c, &creepage, &o).unwrap();
+            let plain = solved(&c, &creepage, &o);
             let expected = [sign * plain.fx, sign * plain.fy, plain.mz];
             let (found, mu) = solve_motion(&c, &m, None, &o).unwrap();
             assert_eq!((of(&found), mu, found.adhesion), (expected, c.friction, plain.adhesion));
@@ -84,7 +80,7 @@ fn far_from_standstill_one_end_leads() {
 fn mirrors_are_exact() {
     let mut random = Random::new(202);
     for n in 0..600 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let law = LAWS[n / 5 % 3];
@@ -168,7 +164,7 @@ fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) ->
 fn force_and_derivatives_are_continuous_through_standstill() {
     let mut random = Random::new(203);
     for n in 0..300 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let law = LAWS[n / 5 % 3];
         for at in [0.0, 3.0 * FLOOR, -3.0 * FLOOR] {
             let m = any_motion(&mut random, &c, at);
@@ -202,7 +198,7 @@ fn derivatives_are_those_of_the_forces() {
     let mut random = Random::new(204);
     let (mut compared, mut doubted, mut worst) = (0, 0, 0.0_f64);
     for n in 0..240 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let law = LAWS[n / 5 % 3].map(|law| SlipFriction { friction: c.friction, ..law });
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
@@ -284,7 +280,7 @@ fn friction_opposes_slip_and_keeps_its_bound() {
         let mut m = any_motion(&mut random, &c, speed);
         let huge = 10f64.powf(random.between(0.0, 3.0));
         (m.slip_x, m.slip_y) = (m.slip_x * huge, m.slip_y * huge);
-        let (found, mu) = solve_motion(&c, &m, law.as_ref(), &options(model)).unwrap();
+        let (found, mu) = solve_motion(&c, &m, law.as_ref(), &sixteen(model)).unwrap();
         let rigid = m.slip_x.hypot(m.slip_y) + (c.a + c.b) * m.spin_rate.abs();
         let bound = mu * c.normal_force;
         assert!(found.power >= -1e-9 * bound * rigid, "{n} {c:?} {m:?} {found:?}");
@@ -299,7 +295,7 @@ fn friction_opposes_slip_and_keeps_its_bound() {
 fn friction_falls_with_the_slip_velocity_at_standstill() {
     for slip in [0.5, 2.0, 10.0] {
         let m = Motion { slip_x: slip, ..Motion::default() };
-        let (found, mu) = solve_motion(&C0, &m, Some(&WET), &options(Model::Total)).unwrap();
+        let (found, mu) = solve_motion(&C0, &m, Some(&WET), &sixteen(Model::Total)).unwrap();
         let expected = 0.3 * (0.6 * (-0.6 * slip).exp() + 0.4);
         assert!((mu - expected).abs() < 4e-15, "{slip}: {mu} {expected}");
         assert!((found.fx / (mu * 80e3) - 1.0).abs() < 1e-2);
@@ -313,7 +309,7 @@ fn a_law_of_zeros_behaves_as_written() {
     let zero = falling(0.0, 0.0, 0.0, 0.0, 0.0);
     let mut random = Random::new(208);
     for n in 0..100 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let constant = SlipFriction { friction: c.friction, ..zero };
@@ -331,7 +327,7 @@ fn a_law_of_zeros_behaves_as_written() {
 fn a_lost_contact_carries_nothing_at_any_speed() {
     let mut random = Random::new(206);
     for n in 0..100 {
-        let o = options(Model::ALL[n % 5]);
+        let o = sixteen(Model::ALL[n % 5]);
         let lost = [
             Contact { normal_force: 0.0, ..C0 },
             Contact { normal_force: -3.0, ..C0 },
@@ -366,7 +362,7 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
 /// Squares that overflow or vanish on the way.
 #[test]
 fn extreme_motions_are_answered_or_named() {
-    let o = options(Model::Total);
+    let o = sixteen(Model::Total);
     for (rolling_speed, floor_speed) in
         [(1e200, 1e-3), (-1e200, 0.0), (0.0, 1e-200), (1e-250, 1e-200)]
     {
@@ -384,7 +380,7 @@ fn extreme_motions_are_answered_or_named() {
 fn wheel_spin_at_standstill_is_not_implausible() {
     let spun = Motion { slip_x: 5.0, spin_rate: 0.5, ..Motion::default() };
     let said =
-        |m: Motion<f64>| solve_motion(&C0, &m, None, &options(Model::Total)).unwrap().0.warning;
+        |m: Motion<f64>| solve_motion(&C0, &m, None, &sixteen(Model::Total)).unwrap().0.warning;
     assert!(!said(spun).is_implausible());
     assert_eq!(said(Motion { spin_rate: 0.01, ..spun }), Warning::None);
     let rolling = Motion { slip_x: 0.01, spin_rate: 10.0 * 0.5, rolling_speed: 10.0, ..spun };
@@ -395,7 +391,7 @@ fn wheel_spin_at_standstill_is_not_implausible() {
     );
     assert_eq!(said(Motion { slip_x: 200.0, ..rolling }), Warning::Creepage);
     let soft = Contact { shear_modulus: 82.0, ..C0 };
-    let found = solve_motion(&soft, &spun, None, &options(Model::Total)).unwrap().0;
+    let found = solve_motion(&soft, &spun, None, &sixteen(Model::Total)).unwrap().0;
     assert_eq!(found.warning, Warning::Pressure);
 }
 
@@ -406,9 +402,9 @@ fn at_rest_the_contact_is_a_damper_of_linear_theory() {
     let still = creep(0.0, 0.0, 0.0);
     for model in Model::ALL {
         let (_, slopes) =
-            derivatives::forces_and_derivatives(&C0, &still, &options(model)).unwrap();
+            derivatives::forces_and_derivatives(&C0, &still, &sixteen(model)).unwrap();
         let (_, _, s) =
-            differentiate_motion(&C0, &Motion::default(), None, &options(model)).unwrap();
+            differentiate_motion(&C0, &Motion::default(), None, &sixteen(model)).unwrap();
         let rows = s.slip.into_iter().zip(slopes.jacobian);
         for (i, (row, linear)) in rows.enumerate() {
             for (k, (slope, linear)) in row.into_iter().zip(linear).enumerate() {
@@ -426,7 +422,7 @@ fn at_rest_the_contact_is_a_damper_of_linear_theory() {
 fn single_precision_follows() {
     let mut random = Random::new(207);
     for n in 0..200 {
-        let (c, o) = (any_contact(&mut random), options(Model::ALL[n % 5]));
+        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
         let speed = any_speed(&mut random);
         let m = any_motion(&mut random, &c, speed);
         let single = single(&c);

@@ -72,7 +72,7 @@ fn elliptic_strips_of_the_theory_of_1967() {
                 let p: [f64; 3] = std::array::from_fn(|_| random.between(-0.95, 0.95));
                 let motion = creepage(&c, p[0], p[1], p[2]);
                 let many = options(model, StripCount::SixtyFour);
-                let exact = forces::forces_of_contact(&c, &motion, &many).unwrap();
+                let exact = solved(&c, &motion, &many);
                 let patch = ellipse(&c, count);
                 let loads = patch.strips.iter().map(|strip| strip.load() / c.normal_force);
                 share = loads.fold(share, f64::max);
@@ -414,7 +414,7 @@ fn fields_of_elliptic_strips() {
     for model in WITH_STRIPS {
         let view = patch.view().unwrap();
         let field = PatchField::new(&view, &motion, None, model).unwrap();
-        let wanted = forces::Field::new(&c, &motion, &options(model, StripCount::Sixteen)).unwrap();
+        let wanted = forces::Field::new(&c, &motion, &sixteen(model)).unwrap();
         for strip in &patch.strips {
             for k in -9..10 {
                 let x = strip.half_length * f64::from(k) / 10.0;

@@ -31,7 +31,7 @@ fn friction_is_found_again() {
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&c, size * xi, size * eta, 0.1 * psi);
         let o = any_options(n);
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let s = solved(&c, &m, &o);
         let bound = c.friction * c.normal_force;
         let forgotten = Contact { friction: 0.0, ..c };
         for measured in [Measured::Fx, Measured::Fy, Measured::Both] {
@@ -53,8 +53,7 @@ fn friction_is_found_again() {
                 continue;
             }
             assert!(e.warning == Warning::None || rough(e.warning), "{e:?}");
-            let again =
-                forces::forces_of_contact(&Contact { friction: e.friction, ..c }, &m, &o).unwrap();
+            let again = solved(&Contact { friction: e.friction, ..c }, &m, &o);
             let again = match measured {
                 Measured::Fx => again.fx.abs(),
                 Measured::Fy => again.fy.abs(),
@@ -81,7 +80,7 @@ fn sensitivity_is_the_derivative() {
     let o = Options::default();
     for size in [0.2, 0.5, 1.0, 2.0] {
         let m = theory::creepage(&c, size, 0.3 * size, 0.05);
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let s = solved(&c, &m, &o);
         for measured in [Measured::Fx, Measured::Both] {
             let at = |factor: f64| {
                 estimate_friction(&c, &m, None, &o, measured, [s.fx * factor, s.fy * factor])
@@ -106,7 +105,7 @@ fn what_the_force_does_not_tell_is_said() {
             estimate_friction(&c, m, None, &o, Measured::Fx, [fx, 0.0])
         };
         let small = theory::creepage(&c, 1e-3, 0.0, 0.0);
-        let s = forces::forces_of_contact(&c, &small, &o).unwrap();
+        let s = solved(&c, &small, &o);
         let e = at(&small, s.fx).unwrap();
         if o.model == Model::Strip {
             // Its creep curve leaves the linear one both ways
@@ -119,7 +118,7 @@ fn what_the_force_does_not_tell_is_said() {
         }
         // More than linear theory gives
         let large = theory::creepage(&c, 0.5, 0.0, 0.0);
-        let e = at(&large, 10.0 * forces::forces_of_contact(&c, &large, &o).unwrap().fx).unwrap();
+        let e = at(&large, 10.0 * solved(&c, &large, &o).fx).unwrap();
         assert_eq!(e.warning, Warning::FrictionAtLeast);
         // At rest nothing is known
         let rest = creep(0.0, 0.0, 0.0);
@@ -134,7 +133,7 @@ fn what_the_force_does_not_tell_is_said() {
         assert_eq!(e, Err(Error::Unexplained));
     }
     let m = theory::creepage(&c, 0.5, 0.0, 0.0);
-    let linear = options(Model::Linear, StripCount::Sixteen);
+    let linear = sixteen(Model::Linear);
     assert_eq!(
         estimate_friction(&c, &m, None, &linear, Measured::Fx, [1.0, 0.0]),
         Err(Error::NotInModel)
@@ -152,10 +151,10 @@ fn creepage_is_found_again() {
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&c, size * xi, size * eta, 0.6 * psi);
         let o = any_options(n);
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let s = solved(&c, &m, &o);
         let bound = c.friction * c.normal_force;
         let (got, warning) = creepage_for_force(&c, [s.fx, s.fy], m.spin, None, &o).unwrap();
-        let again = forces::forces_of_contact(&c, &got, &o).unwrap();
+        let again = solved(&c, &got, &o);
         let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
         match warning {
             Warning::CreepageAtLeast => {
@@ -186,13 +185,13 @@ fn creepage_is_found_again() {
 #[test]
 fn linear_theory_is_inverted() {
     let c = contact(2.0, 0.28);
-    let o = options(Model::Linear, StripCount::Sixteen);
+    let o = sixteen(Model::Linear);
     let bound = c.friction * c.normal_force;
     for (fx, fy, warning) in
         [(0.3, -0.2, Warning::None), (0.0, 0.0, Warning::None), (3.0, 1.0, Warning::BeyondFriction)]
     {
         let (got, told) = creepage_for_force(&c, [fx * bound, fy * bound], 0.2, None, &o).unwrap();
-        let s = forces::forces_of_contact(&c, &got, &o).unwrap();
+        let s = solved(&c, &got, &o);
         assert!((s.fx / bound - fx).abs() < 1e-12 && (s.fy / bound - fy).abs() < 1e-12);
         assert_eq!(told, warning);
     }
@@ -227,7 +226,7 @@ fn single_precision_round_trips() {
         let m = theory::creepage(&wide, size * xi, size * eta, 0.1 * psi);
         let m = single_motion(&m);
         let o = any_options(n);
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let s = solved(&c, &m, &o);
         let bound = c.friction * c.normal_force;
         if s.fx.hypot(s.fy) > 0.1 * bound && size * xi.hypot(eta) > 0.2 {
             let e = estimate_friction(&c, &m, None, &o, Measured::Both, [s.fx, s.fy]).unwrap();
@@ -244,7 +243,7 @@ fn single_precision_round_trips() {
             lost += 1;
             continue;
         }
-        let again = forces::forces_of_contact(&c, &got, &o).unwrap();
+        let again = solved(&c, &got, &o);
         let off = (again.fx - s.fx).hypot(again.fy - s.fy) / bound;
         assert!(off < 2e-3, "{off} {warning:?} {c:?} {m:?} {o:?}");
         creepages += 1;
@@ -259,7 +258,7 @@ fn own_friction_is_ignored() {
     let c = contact(1.5, 0.28);
     let m = theory::creepage(&c, 0.6, 0.2, 0.1);
     for o in (0..4).map(any_options) {
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let s = solved(&c, &m, &o);
         let at = |friction: f64| {
             let contact = Contact { friction, ..c };
             estimate_friction(&contact, &m, None, &o, Measured::Both, [s.fx, s.fy]).unwrap()
@@ -286,10 +285,8 @@ fn the_smallest_friction_is_found() {
         let psi = -eta * random.between(0.6, 1.8);
         let m = theory::creepage(&c, 0.1 * size, eta, psi);
         let o = options([Model::Total, Model::Strip][n % 2], StripCount::Eight);
-        let s = forces::forces_of_contact(&c, &m, &o).unwrap();
-        let force = |friction: f64| {
-            forces::forces_of_contact(&Contact { friction, ..c }, &m, &o).unwrap().fy
-        };
+        let s = solved(&c, &m, &o);
+        let force = |friction: f64| solved(&Contact { friction, ..c }, &m, &o).fy;
         let e = estimate_friction(&c, &m, None, &o, Measured::Fy, [0.0, s.fy]).unwrap();
         if e.warning == Warning::FrictionAtLeast {
             continue;
@@ -317,7 +314,7 @@ fn a_huge_force_of_the_wrong_sign_is_unexplained() {
     let force = 0.3 * c.normal_force;
     for model in SATURATING {
         let o = options(model, StripCount::Sixteen);
-        let sign = forces::forces_of_contact(&c, &m, &o).unwrap().fx.signum();
+        let sign = solved(&c, &m, &o).fx.signum();
         let estimate = |fx: f64| estimate_friction(&c, &m, None, &o, Measured::Fx, [fx, 0.0]);
         assert_eq!(estimate(sign * force).unwrap().warning, Warning::FrictionAtLeast);
         assert_eq!(estimate(-sign * force).err(), Some(Error::Unexplained), "{model:?}");

@@ -24,8 +24,7 @@ fn slender_contacts_are_those_of_contact() {
 
 fn within(cases: &[Case], bins: &[([f64; 2], [f64; 3], [f64; 3])]) {
     for (model, column) in [(Model::Total, 0), (Model::Strip, 1)] {
-        let errors =
-            Errors::of_model::<f64>(cases, &Options { model, strips: StripCount::Sixteen });
+        let errors = Errors::of_model::<f64>(cases, &sixteen(model));
         for ([low, high], of_total, of_strip) in bins.iter().copied() {
             let part = errors.only(cases, |case| (low..high).contains(&case.axis_ratio));
             let (force, moment) = (figures(&part.force), figures(&part.moment));

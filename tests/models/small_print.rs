@@ -48,7 +48,7 @@ fn slip_far_in_sliding_is_rigid_slip() {
     for model in WITH_STRIPS {
         // (of the theory of 1967 no more than unit spin is in its slip)
         let m = if model == Model::Strip { m } else { Creepage { spin: 0.0, ..m } };
-        let field = Field::new(&c, &m, &options(model, StripCount::Sixteen)).unwrap();
+        let field = Field::new(&c, &m, &sixteen(model)).unwrap();
         for [x, y] in [[0.0, 0.0], [0.5, 0.3], [-0.4, -0.6], [-0.7, 0.2]] {
             let (x, y) = (x * c.a, y * c.b);
             let point = field.at(x, y);
@@ -94,12 +94,12 @@ fn fields_of_lobes_are_those_of_each_alone() {
 #[test]
 fn total_in_single_precision_is_right_at_any_creepage() {
     let c = contact(1.5, 0.28);
-    let o = options(Model::Total, StripCount::Sixteen);
+    let o = sixteen(Model::Total);
     for exponent in -2..=28 {
         let size = 10_f64.powi(exponent);
         let m = creepage(&c, 0.6 * size, -0.5 * size, 0.3 * size);
-        let double = forces::forces_of_contact(&c, &m, &o).unwrap();
-        let one = forces::forces_of_contact(&single(&c), &single_motion(&m), &o).unwrap();
+        let double = solved(&c, &m, &o);
+        let one = solved(&single(&c), &single_motion(&m), &o);
         let off = (f64::from(one.fx) - double.fx).hypot(f64::from(one.fy) - double.fy);
         assert!(off < 3e-5 * c.friction * c.normal_force, "1e{exponent}: {one:?} {double:?}");
     }
@@ -114,21 +114,17 @@ fn warnings_begin_where_they_say() {
     let light = Contact { normal_force: c.normal_force * 1e-3, ..c };
     for (share, warning) in [(0.998, Warning::None), (1.002, Warning::Spin)] {
         let m = creep(0.0, 0.0, 0.05 * share / radius);
-        let o = options(Model::Total, StripCount::Sixteen);
-        assert_eq!(forces::forces_of_contact(&light, &m, &o).unwrap().warning, warning, "{share}");
+        let o = sixteen(Model::Total);
+        assert_eq!(solved(&light, &m, &o).warning, warning, "{share}");
     }
     for (friction, warning) in [(4.99, Warning::None), (5.01, Warning::Friction)] {
         let slippery = Contact { friction, ..c };
-        let o = options(Model::Total, StripCount::Sixteen);
+        let o = sixteen(Model::Total);
         let rest = creep(0.0, 0.0, 0.0);
-        assert_eq!(
-            forces::forces_of_contact(&slippery, &rest, &o).unwrap().warning,
-            warning,
-            "{friction}"
-        );
+        assert_eq!(solved(&slippery, &rest, &o).warning, warning, "{friction}");
     }
     // the numbers next to unit spin, one of which is exactly one
-    let o = options(Model::Strip1967, StripCount::Sixteen);
+    let o = sixteen(Model::Strip1967);
     let mut unit_spins = 0;
     for n in 0..200 {
         let c = kstrip_contact { friction: 0.2 + 1e-3 * f64::from(n), ..c };
@@ -140,7 +136,7 @@ fn warnings_begin_where_they_say() {
             assert_eq!(kstrip_parameters_from_creepage(Some(&c), Some(&m), Some(&mut told)), 0);
             // SAFETY: status 0.
             let psi = unsafe { told.assume_init() }.psi;
-            let warning = forces::forces_of_contact(&c, &m, &o).unwrap().warning;
+            let warning = solved(&c, &m, &o).warning;
             unit_spins += i32::from(psi == 1.0);
             assert_eq!(warning == Warning::SpinBeyondTheory, psi >= 1.0, "{psi:e}");
         }
@@ -151,7 +147,7 @@ fn warnings_begin_where_they_say() {
 /// What overflows for a contact does for one turned by a right angle.
 #[test]
 fn linear_theory_overflows_on_needles_either_way() {
-    let o = options(Model::Linear, StripCount::Sixteen);
+    let o = sixteen(Model::Linear);
     let c = contact(1.0, 0.28);
     let mut refused = [0; 2];
     for (size, refused) in [1e3, 1e120].into_iter().zip(&mut refused) {
@@ -178,11 +174,11 @@ fn strip_keeps_the_friction_bound_to_its_last_digits() {
     for _ in 0..4000 {
         let c = contact(random.log_between(0.05, 20.0), random.between(0.0, 0.5));
         let [xi, eta, psi] = [0; 3].map(|_| random.sign() * random.log_between(1e-3, 1e4));
-        let (m, o) = (creepage(&c, xi, eta, psi), options(Model::Strip, StripCount::Sixteen));
-        let of = forces::forces_of_contact(&c, &m, &o).unwrap();
+        let (m, o) = (creepage(&c, xi, eta, psi), sixteen(Model::Strip));
+        let of = solved(&c, &m, &o);
         worst[0] = worst[0].max((of.fx.hypot(of.fy) / c.friction_bound() - 1.0) / f64::EPSILON);
         let c = single(&c);
-        let of = forces::forces_of_contact(&c, &single_motion(&m), &o).unwrap();
+        let of = solved(&c, &single_motion(&m), &o);
         let size = f64::from(of.fx).hypot(f64::from(of.fy)) / f64::from(c.friction_bound());
         worst[1] = worst[1].max((size - 1.0) / f64::from(f32::EPSILON));
     }

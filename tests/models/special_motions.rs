@@ -29,8 +29,7 @@ fn short_paths_join_the_long_one() {
             3 => (creep(0.0, 0.0, m.spin), creep(-hair, hair, m.spin)),
             _ => (creep(0.0, 0.0, 0.0), creep(hair, -hair, hair)),
         };
-        let [short, long] =
-            [on, beside].map(|m| numbers(&c, &forces::forces_of_contact(&c, &m, &o).unwrap()));
+        let [short, long] = [on, beside].map(|m| numbers(&c, &solved(&c, &m, &o)));
         for i in 0..4 {
             let error = (short[i] - long[i]).abs();
             worst = worst.max(error);
@@ -53,7 +52,7 @@ fn short_paths_join_in_single_precision() {
         let (x, y, s) = (m.longitudinal as f32, m.lateral as f32, m.spin as f32);
         let at = |x, y, s| {
             let m = creep(x, y, s);
-            let got = forces::forces_of_contact(&c, &m, &o).unwrap();
+            let got = solved(&c, &m, &o);
             let bound = c.friction * c.normal_force;
             [got.fx / bound, got.fy / bound, got.mz / (bound * (c.a * c.b).sqrt()), got.adhesion]
         };

@@ -9,10 +9,6 @@ use kstrip::motion;
 
 const MODELS: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
 
-fn options(model: Model) -> Options {
-    Options { model, strips: StripCount::Sixteen }
-}
-
 /// Steel below, aluminium above.
 fn pair() -> f64 {
     let steel = Material { shear_modulus: 82e9, poisson_ratio: 0.28 };
@@ -60,23 +56,22 @@ fn at_rest_there_is_a_force_where_it_rolls() {
     let exchanged = Contact { mismatch: -unlike.mismatch, ..unlike };
     let rest = creep(0.0, 0.0, 0.0);
     for model in MODELS {
-        let [found, other] = [&unlike, &exchanged]
-            .map(|c| forces::forces_of_contact(c, &rest, &options(model)).unwrap());
+        let [found, other] = [&unlike, &exchanged].map(|c| solved(c, &rest, &sixteen(model)));
         assert!(found.fx > 0.1 * BOUND && found.fx < 0.5 * BOUND, "{model:?} {}", found.fx);
         assert_eq!((found.fx, found.power), (-other.fx, other.power), "{model:?}");
         assert_eq!((found.fy, found.mz, found.warning), (0.0, 0.0, Warning::None), "{model:?}");
         let stands =
-            motion::solve_motion(&unlike, &Motion::default(), None, &options(model)).unwrap().0;
+            motion::solve_motion(&unlike, &Motion::default(), None, &sixteen(model)).unwrap().0;
         assert_eq!((stands.fx, stands.power), (0.0, 0.0), "{model:?}");
         // far from standstill it is the same force forward and backward, in axes that stay
         let rolls = |rolling_speed| {
             let motion = Motion { rolling_speed, ..Motion::default() };
-            motion::solve_motion(&unlike, &motion, None, &options(model)).unwrap().0.fx
+            motion::solve_motion(&unlike, &motion, None, &sixteen(model)).unwrap().0.fx
         };
         assert!((rolls(50.0) - found.fx).abs() < 1e-6 * BOUND && rolls(-50.0) == -rolls(50.0));
     }
     for model in [Model::Strip1967, Model::Strip1967Continuous] {
-        let found = forces::forces_of_contact(&unlike, &rest, &options(model)).unwrap();
+        let found = solved(&unlike, &rest, &sixteen(model));
         assert_eq!((found.fx, found.warning), (0.0, Warning::MismatchNeglected));
     }
 }
@@ -92,7 +87,7 @@ fn rolling_takes_no_energy_from_nothing() {
         let adds =
             contact.mismatch * NORMAL_FORCE / (SHEAR_MODULUS * contact.a * (contact.a + contact.b));
         for model in MODELS {
-            let found = forces::forces_of_contact(&contact, &creepage, &options(model)).unwrap();
+            let found = solved(&contact, &creepage, &sixteen(model));
             let Creepage { longitudinal, lateral, spin } = creepage;
             let brought = found.fx * longitudinal + found.fy * lateral + found.mz * spin;
             assert!(found.power >= 0.0, "{model:?} {contact:?} {creepage:?}");
@@ -112,15 +107,15 @@ fn derivatives_go_through_the_shift() {
     let mut random = Random::new(7);
     for case in 0..150 {
         let (contact, creepage) = state(&mut random);
-        let options = options(MODELS[case % 3]);
+        let o = sixteen(MODELS[case % 3]);
         let law = (case % 2 == 1).then_some(falling(contact.friction, 0.4, 0.6, 20.0, 0.7));
-        let solve =
-            |contact: &Contact<f64>, creepage: &Creepage<f64>, law: Option<SlipFriction<f64>>| {
-                let found =
-                    derivatives::differentiate_with_law(contact, creepage, law.as_ref(), &options)
-                        .unwrap();
-                (forces(&found.solution), found.derivatives)
-            };
+        let solve = |contact: &Contact<f64>,
+                     creepage: &Creepage<f64>,
+                     law: Option<SlipFriction<f64>>| {
+            let found =
+                derivatives::differentiate_with_law(contact, creepage, law.as_ref(), &o).unwrap();
+            (forces(&found.solution), found.derivatives)
+        };
         let Derivatives { jacobian, normal_force, load_through_hertz, friction } =
             solve(&contact, &creepage, law).1;
         let check = |what: &str, unit: f64, slope: [f64; 3], at: &dyn Fn(f64) -> [f64; 3]| {
@@ -130,10 +125,7 @@ fn derivatives_go_through_the_shift() {
                 let difference = (ahead[i] - behind[i]) / (2.0 * h);
                 let slope = slope[i] * unit / if i == 2 { SIZE } else { 1.0 };
                 let off = (slope - difference).abs() / (contact.friction * NORMAL_FORCE);
-                assert!(
-                    off < 1e-6,
-                    "{what} {i}: {slope} {difference} {options:?} {contact:?} {law:?}"
-                );
+                assert!(off < 1e-6, "{what} {i}: {slope} {difference} {o:?} {contact:?} {law:?}");
             }
         };
         let unit = contact.friction * NORMAL_FORCE / (SHEAR_MODULUS * SIZE * SIZE);
@@ -166,7 +158,7 @@ fn derivatives_go_through_the_shift() {
         let moves = Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed: 0.0 };
         let at = |rolling_speed: f64| {
             let moves = Motion { rolling_speed, ..moves };
-            motion::differentiate_motion(&contact, &moves, law.as_ref(), &options).unwrap()
+            motion::differentiate_motion(&contact, &moves, law.as_ref(), &o).unwrap()
         };
         check("speed", speed, at(rolling_speed).2.rolling_speed, &|h| {
             forces(&at(rolling_speed + h * speed).0)
@@ -192,7 +184,7 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
         )
         .unwrap();
         let of_ellipse =
-            derivatives::differentiate_with_law(&contact, &creepage, law.as_ref(), &options(model))
+            derivatives::differentiate_with_law(&contact, &creepage, law.as_ref(), &sixteen(model))
                 .unwrap();
         let bound = contact.friction * NORMAL_FORCE;
         let near = |what: &str, p: [f64; 3], q: [f64; 3], unit: f64| {
@@ -261,7 +253,7 @@ fn the_warning_of_a_mismatch_begins_at_a_quarter() {
         let contact = Contact { mismatch, ..contact(1.5, 0.3) };
         let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
         for law in [None, Some(&law)] {
-            let o = options(Model::Strip);
+            let o = sixteen(Model::Strip);
             let found = derivatives::differentiate_with_law(&contact, &motion, law, &o).unwrap();
             assert_eq!(found.solution.warning, expected, "{mismatch} {law:?}");
             let view = patch.view().unwrap();

@@ -28,13 +28,10 @@ fn wrong_units() -> [(Contact<f64>, Creepage<f64>, Warning); 8] {
 #[test]
 fn wrong_units_are_named_by_every_model() {
     for model in Model::ALL {
-        let options = Options { model, strips: StripCount::Sixteen };
-        assert_eq!(
-            forces::forces_of_contact(&C0, &ROLLS, &options).unwrap().warning,
-            Warning::None
-        );
+        let options = sixteen(model);
+        assert_eq!(solved(&C0, &ROLLS, &options).warning, Warning::None);
         for (contact, creepage, warning) in wrong_units() {
-            let solution = forces::forces_of_contact(&contact, &creepage, &options).unwrap();
+            let solution = solved(&contact, &creepage, &options);
             assert_eq!(solution.warning, warning, "{model:?} {contact:?} {creepage:?}");
             let (other, _) = forces::solve_jacobian(&contact, &creepage, &options).unwrap();
             assert_eq!(other.warning, warning);
@@ -53,7 +50,7 @@ fn in_a_batch_each_contact_gets_its_own() {
     let parted = Contact { a: 0.0, b: 0.0, normal_force: -1.0, ..C0 };
     let rare = wrong_units().map(|(contact, creepage, _)| (contact, creepage));
     for model in Model::ALL {
-        let options = Options { model, strips: StripCount::Sixteen };
+        let options = sixteen(model);
         for rare in rare.into_iter().chain([(lost, ROLLS), (parted, ROLLS)]) {
             for place in [0, 5, 16, 18] {
                 let mut many = vec![(C0, ROLLS); 19];
@@ -63,7 +60,7 @@ fn in_a_batch_each_contact_gets_its_own() {
                 let worst = solve_batch(19, &options, |i| many[i], put).unwrap();
                 let mut expected = Warning::None;
                 for (found, (contact, creepage)) in found.into_iter().zip(many) {
-                    let alone = forces::forces_of_contact(&contact, &creepage, &options).unwrap();
+                    let alone = solved(&contact, &creepage, &options);
                     assert_eq!(found, Some(alone), "{model:?} {contact:?}");
                     expected = expected.worse(alone.warning);
                 }

@@ -143,9 +143,7 @@ fn braked_wheel_is_held_back() {
     let c = theory::contact(1.0, 0.28);
     let motion =
         Creepage::from_velocities(&at(-20.0, 0.0, 0.0), &at(-19.98, 0.0, 0.0), 20.0).unwrap();
-    let on_rail =
-        kstrip::forces::forces_of_contact(&c, &motion, &kstrip::forces::Options::default())
-            .unwrap();
+    let on_rail = solved(&c, &motion, &kstrip::forces::Options::default());
     assert!(on_rail.fx > 0.0 && on_rail.power > 0.0);
     let on_wheel = on_rail.on_upper_body();
     assert_eq!((on_wheel.fx, on_wheel.power), (-on_rail.fx, on_rail.power));

@@ -1,7 +1,7 @@
 //! What must come out exactly: linear derivatives, saturation, pure creepage.
 
 use crate::prelude::*;
-use crate::theory::{COUNTS, sixteen};
+use crate::theory::COUNTS;
 
 fn bound(contact: &Contact<f64>) -> f64 {
     contact.friction * contact.normal_force
@@ -25,7 +25,7 @@ fn linear_slopes_are_exact() {
                 let tiny = 1e-11 * theory::slip_unit(&c);
                 let solve = |x, y, s| {
                     let motion = creep(x, y, s);
-                    forces::forces_of_contact(&c, &motion, &o).unwrap()
+                    solved(&c, &motion, &o)
                 };
                 let along = solve(tiny, 0.0, 0.0);
                 let across = solve(0.0, tiny, 0.0);
@@ -65,12 +65,11 @@ fn spin_moment_has_its_linear_slope() {
     for axis_ratio in [0.2, 1.0, 5.0] {
         let c = contact(axis_ratio, 0.28);
         let psi = 1e-10;
-        let s = forces::forces_of_contact(
+        let s = solved(
             &c,
             &creepage(&c, 0.0, 0.0, psi),
             &options(Model::Strip1967, StripCount::SixtyFour),
-        )
-        .unwrap();
+        );
         // (3/4) b ∫ Y p Y 2C dY with ∫ Y² C dY = π/8
         let expected = 3.0 * PI / 16.0 * bound(&c) * c.b * psi * c.b / (c.a * 0.72);
         assert!((s.mz / expected - 1.0).abs() < 3e-9, "{} {expected}", s.mz);
@@ -93,10 +92,7 @@ fn any_number_of_strips_has_the_same_totals() {
         for kind in MODELS {
             let [first, others @ ..] = COUNTS.map(|count| {
                 let o = options(kind, count);
-                (
-                    forces::forces_of_contact(&c, &m, &o).unwrap(),
-                    forces::solve_jacobian(&c, &m, &o).unwrap(),
-                )
+                (solved(&c, &m, &o), forces::solve_jacobian(&c, &m, &o).unwrap())
             });
             assert!(others.iter().all(|other| *other == first), "{c:?} {m:?} {kind:?}");
         }
@@ -110,8 +106,7 @@ fn saturation_is_exact() {
         let c = contact(axis_ratio, 0.28);
         for kind in MODELS {
             for (xi, eta) in [(1.5, 0.0), (0.0, -3.0), (-2.0, 7.0), (1e6, 1e3), (1e80, -1e80)] {
-                let s = forces::forces_of_contact(&c, &creepage(&c, xi, eta, 0.0), &sixteen(kind))
-                    .unwrap();
+                let s = solved(&c, &creepage(&c, xi, eta, 0.0), &sixteen(kind));
                 let size = s.fx.hypot(s.fy) / bound(&c);
                 assert!((size - 1.0).abs() < 4e-15, "{kind:?} {xi} {eta}: {size}");
                 assert_eq!(s.adhesion, 0.0);
@@ -161,7 +156,7 @@ fn pure_creepage_has_its_closed_form() {
                 let clean = |v: f64| if v.abs() < 1e-15 { 0.0 } else { v };
                 let (dx, dy) = (clean(angle.cos()), clean(angle.sin()));
                 let motion = creepage(&c, tau * dx, tau * dy, 0.0);
-                let s = forces::forces_of_contact(&c, &motion, &sixteen(kind)).unwrap();
+                let s = solved(&c, &motion, &sixteen(kind));
                 let along = (s.fx * dx + s.fy * dy) / bound(&c);
                 let across = (s.fx * dy - s.fy * dx) / bound(&c);
                 assert!(along.is_finite());
@@ -181,12 +176,11 @@ fn small_pure_creepage_has_its_series() {
     let c = contact(1.0, 0.28);
     for exponent in 2..=12 {
         let tau = 10f64.powi(-exponent);
-        let s = forces::forces_of_contact(
+        let s = solved(
             &c,
             &creepage(&c, 0.0, tau, 0.0),
             &options(Model::Strip1967, StripCount::SixtyFour),
-        )
-        .unwrap();
+        );
         let expected = 0.75 * PI * tau - 1.5 * tau * tau;
         // Next term: −τ⁴/8… ; the ends of the adhesion interval add the same order
         let allowed = 1e-9 * tau + tau.powi(4);
@@ -201,7 +195,7 @@ fn stick_area_in_pure_creepage() {
     for i in 0..=55 {
         let tau = f64::from(i) / 50.0;
         let motion = creepage(&c, tau, 0.0, 0.0);
-        let s = forces::forces_of_contact(&c, &motion, &sixteen(Model::Strip1967)).unwrap();
+        let s = solved(&c, &motion, &sixteen(Model::Strip1967));
         let inside = tau.min(1.0);
         let expected = 2.0 / PI * (inside.acos() - inside * (1.0 - inside * inside).sqrt());
         assert!((s.adhesion - expected).abs() < 4e-15, "{tau}: {}", s.adhesion);

@@ -3,7 +3,7 @@
 use crate::prelude::*;
 
 fn field(c: &Contact<f64>, xi: f64, eta: f64, psi: f64, kind: Model) -> Field<f64> {
-    Field::new(c, &creepage(c, xi, eta, psi), &options(kind, StripCount::Sixteen)).unwrap()
+    Field::new(c, &creepage(c, xi, eta, psi), &sixteen(kind)).unwrap()
 }
 
 /// From slip to traction, -π to π.
@@ -153,12 +153,11 @@ fn figure_9_lateral_force_in_pure_spin() {
         let c = contact(axis_ratio, 0.28);
         for (kind, expected) in MODELS.into_iter().zip([rigid, continuous]) {
             for sign in [1.0, -1.0] {
-                let s = forces::forces_of_contact(
+                let s = solved(
                     &c,
                     &creepage(&c, 0.0, 0.0, sign * psi),
                     &options(kind, StripCount::SixtyFour),
-                )
-                .unwrap();
+                );
                 let fy = sign * s.fy / (c.friction * c.normal_force);
                 let digits = if kind == Model::Strip1967 { 5e-5 } else { 5e-4 };
                 assert!((fy - expected).abs() <= digits, "{kind:?} a/b {axis_ratio} ψ {psi}: {fy}");
@@ -192,12 +191,7 @@ fn figure_9_is_as_far_from_the_reference_as_told() {
                 .map(|case| {
                     let c = contact(axis_ratio, 0.28);
                     let motion = creepage(&c, 0.0, 0.0, case[7]);
-                    let s = forces::forces_of_contact(
-                        &c,
-                        &motion,
-                        &options(kind, StripCount::SixtyFour),
-                    )
-                    .unwrap();
+                    let s = solved(&c, &motion, &options(kind, StripCount::SixtyFour));
                     s.fy / (c.friction * c.normal_force) / case[9] - 1.0
                 })
                 .collect();
@@ -232,8 +226,7 @@ fn pure_spin_force_is_that_of_the_adhesion_strips() {
             let end = 1.0 / (1.0 + p * p / (1.0 - psi * psi)).sqrt();
             let expected = 1.5 * psi * (end - end.powi(3) / 3.0);
             let motion = creepage(&c, 0.0, 0.0, psi);
-            let s =
-                forces::forces_of_contact(&c, &motion, &theory::sixteen(Model::Strip1967)).unwrap();
+            let s = solved(&c, &motion, &sixteen(Model::Strip1967));
             let fy = s.fy / (c.friction * c.normal_force);
             // The end loses digits as ψ → 1
             assert!((fy - expected).abs() < 7e-12, "{axis_ratio} {psi}: {fy} {expected}");
@@ -325,9 +318,7 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
         let c = contact(g, nu);
         let spin = 1e-9 / c.b;
         let motion = creep(0.0, 0.0, spin);
-        let s =
-            forces::forces_of_contact(&c, &motion, &options(Model::Strip1967, StripCount::Sixteen))
-                .unwrap();
+        let s = solved(&c, &motion, &sixteen(Model::Strip1967));
         s.fy / (c.shear_modulus * (c.a * c.b).powf(1.5) * spin)
     };
     let page =
@@ -392,8 +383,7 @@ fn figure_10_has_an_adhesion_area_at_unit_spin() {
         for (eta, psi) in [(-0.5, 1.0), (0.5, -1.0)] {
             // The contact's own factor may round ψ to 1 ∓ 1e-16: all the same here
             let motion = creepage(&c, 0.0, eta, psi);
-            let s = forces::forces_of_contact(&c, &motion, &options(kind, StripCount::SixtyFour))
-                .unwrap();
+            let s = solved(&c, &motion, &options(kind, StripCount::SixtyFour));
             assert!(s.adhesion > 0.2 && s.adhesion < 0.9, "{}", s.adhesion);
             let law = theory::Law {
                 xi: 0.0,

@@ -6,10 +6,6 @@ use crate::prelude::*;
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];
 
-fn options(model: Model) -> Options {
-    Options { model, strips: StripCount::Sixteen }
-}
-
 fn cases(few: usize) -> usize {
     std::env::var("KSTRIP_CASES").map_or(few, |n| n.parse().unwrap())
 }
@@ -46,8 +42,8 @@ fn no_friction_is_missed() {
             let (contact, unit) = any_contact(&mut random);
             let motion = opposed(&mut random, n, &contact, unit);
             let measured = [Measured::Fx, Measured::Fy, Measured::Both][n / 2 % 3];
-            let o = options(model);
-            let made = forces::forces_of_contact(&contact, &motion, &o).unwrap();
+            let o = sixteen(model);
+            let made = solved(&contact, &motion, &o);
             let measured =
                 if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
             let force = [made.fx, made.fy];
@@ -102,13 +98,13 @@ fn close_frictions_are_told() {
     };
     let motion = creep(0.0, 9.379_477_888_511_603e-4, -0.517_434_099_177_47);
     let o = options(Model::Total);
-    let force = forces::forces_of_contact(&total, &motion, &o).unwrap();
+    let force = solved(&total, &motion, &o);
     let found =
         estimate_friction(&total, &motion, None, &o, Measured::Fy, [0.0, force.fy]).unwrap();
     assert_eq!(found.warning, Warning::SeveralFrictions);
     assert!(found.friction < 0.5 * total.friction, "{found:?}");
     let less = Contact { friction: found.friction, ..total };
-    let again = forces::forces_of_contact(&less, &motion, &o).unwrap();
+    let again = solved(&less, &motion, &o);
     assert_relative_eq!(again.fy, force.fy, max_relative = 1e-9);
     // The same in a thousand times the lengths, which hints at a wrong unit: the graver warning
     // stays.
@@ -133,7 +129,7 @@ fn close_frictions_are_told() {
     let motion =
         creep(5.412_615_851_504_647e-5, -1.878_502_823_146_83e-10, -0.623_965_100_721_438_2);
     let o = options(Model::Strip);
-    let force = forces::forces_of_contact(&strip, &motion, &o).unwrap();
+    let force = solved(&strip, &motion, &o);
     let found =
         estimate_friction(&strip, &motion, None, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
     assert_eq!(found.warning, Warning::SeveralFrictions);
@@ -156,16 +152,16 @@ fn creepages_cost_few_solutions() {
                 let psi = random.sign() * random.between(low, high);
                 let (longitudinal, lateral) = (xi * unit, eta * unit);
                 let motion = creep(longitudinal, lateral, psi * unit / contact.a);
-                let o = options(model);
-                let made = forces::forces_of_contact(&contact, &motion, &o).unwrap();
+                let o = sixteen(model);
+                let made = solved(&contact, &motion, &o);
                 let bound = contact.friction * contact.normal_force;
                 if made.fx.hypot(made.fy) > 0.999 * bound {
                     continue;
                 }
-                let (found, distance, solved) =
+                let (found, distance, solutions) =
                     creepage_counted(&contact, [made.fx, made.fy], motion.spin, &o).unwrap();
-                counts.push(solved);
-                let again = forces::forces_of_contact(&contact, &found, &o).unwrap();
+                counts.push(solutions);
+                let again = solved(&contact, &found, &o);
                 let off = (again.fx - made.fx).hypot(again.fy - made.fy) / bound;
                 assert!((off < 1e-10) == (distance < 1e-10), "{off} {distance}");
                 lost += usize::from(off > 1e-10);
