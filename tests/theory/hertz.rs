@@ -40,8 +40,8 @@ fn radii([lower_x, lower_y, upper_x, upper_y]: [f64; 4]) -> Radii<f64> {
     Radii { lower_x, lower_y, upper_x, upper_y }
 }
 
-fn solved([lower_x, lower_y, upper_x, upper_y]: [f64; 4]) -> HertzContact<f64> {
-    hertz(&Radii { lower_x, lower_y, upper_x, upper_y }, 80e3, 82e9, 0.28).unwrap()
+fn solved(of: [f64; 4]) -> HertzContact<f64> {
+    hertz(&radii(of), 80e3, 82e9, 0.28).unwrap()
 }
 
 /// How much the summed curvature amplifies a rounding of one radius (concave profiles).
@@ -59,24 +59,18 @@ fn ellipse_agrees_with_high_precision_in_double() {
         let h = hertz(&radii(row.radii), row.load, row.modulus, row.poisson).unwrap();
         let got = [h.a, h.b, h.peak_pressure, h.approach, h.axis_ratio, h.hertz_angle];
         smallest = smallest.min(h.axis_ratio);
+        assert!(h.axis_ratio < 1.0 || h.axis_ratio == 1.0 && h.a == h.b);
         for (i, (got, expected)) in got.into_iter().zip(row.expected).enumerate() {
             // The angle is that of tan(τ/2) = √(A/B): as good as the others.
             let error = (got - expected).abs() / expected;
             assert!(error <= 1e-12, "result {i} of {:?}: {error:e}", row.radii);
         }
-    }
-    assert!(smallest < 1.1e-4);
-}
-
-/// `1/ρ` is the mean of the four curvatures (2.3).
-#[test]
-fn rho_is_the_mean_curvature() {
-    for row in rows() {
-        let rho = hertz(&radii(row.radii), row.load, row.modulus, row.poisson).unwrap().rho;
+        // `1/ρ` is the mean of the four curvatures (2.3).
         let mean = row.radii.iter().map(|radius| 1.0 / radius).sum::<f64>() / 4.0;
-        let error = (rho * mean - 1.0).abs();
+        let error = (h.rho * mean - 1.0).abs();
         assert!(error <= 1e-14 * condition(row.radii), "{:?}: {error:e}", row.radii);
     }
+    assert!(smallest < 1.1e-4);
 }
 
 /// The same rows in single precision, to 5e-6.
@@ -127,28 +121,6 @@ fn hertz_angle_table_is_reproduced() {
         // Mechanics 36 (1969) 296): up to three units of its last digit
         assert!((h.a / unit - m).abs() < 3e-3, "{degrees}: m {}", h.a / unit);
         assert!((h.b / unit - n).abs() < 3e-3, "{degrees}: n {}", h.b / unit);
-    }
-}
-
-/// Sphere on a plane: a³ = 3NR/(4E*), p₀ = 3N/(2πa²), δ = a²/R; ρ is the diameter (2.3).
-#[test]
-fn circle_has_its_textbook_solution() {
-    for radius in [1e-3, 0.46, 7.0, 1e3] {
-        let h = solved([FLAT, FLAT, radius, radius]);
-        let modulus = 82e9 / 0.72;
-        let a = (3.0 * 80e3 * radius / (4.0 * modulus)).cbrt();
-        for (got, expected) in [
-            (h.a, a),
-            (h.b, a),
-            (h.peak_pressure, 3.0 * 80e3 / (2.0 * PI * a * a)),
-            (h.approach, a * a / radius),
-            (h.rho, 2.0 * radius),
-            (h.hertz_angle, PI / 2.0),
-        ] {
-            assert!((got - expected).abs() <= 4e-15 * expected, "{radius}: {got} {expected}");
-        }
-        assert_eq!(h.axis_ratio, 1.0);
-        assert_eq!(h.a, h.b);
     }
 }
 
@@ -240,12 +212,7 @@ fn extreme_axis_ratios_stay_finite_and_ordered() {
     let mut before = 2.0;
     for exponent in 0..=200 {
         let long = 10f64.powi(exponent);
-        match hertz(
-            &Radii { lower_x: FLAT, lower_y: FLAT, upper_x: 1.0, upper_y: long },
-            80e3,
-            82e9,
-            0.28,
-        ) {
+        match hertz(&radii([FLAT, FLAT, 1.0, long]), 80e3, 82e9, 0.28) {
             Ok(h) => {
                 assert!(h.axis_ratio < before && h.axis_ratio > 0.0, "1e{exponent}");
                 assert!((h.axis_ratio * h.b / h.a - 1.0).abs() < 1e-14);
