@@ -88,3 +88,25 @@ pub const fn sixteen(model: Model) -> Options {
 pub fn solved<F: Float>(c: &Contact<F>, m: &Creepage<F>, o: &Options) -> Solution<F> {
     forces_of_contact(c, m, o).unwrap()
 }
+
+/// STRIP under constant friction.
+pub const STRIP: Law<f64> = Law { model: Model::Strip, falling: None };
+
+/// A wheel and a rail with 16 strips of STRIP.
+pub fn scene<'a>(
+    rail: &'a Surface<f64>,
+    wheel: &'a Surface<f64>,
+    pair: &'a WheelPair<f64>,
+) -> Scene<'a, f64> {
+    Scene { rail, wheel, pair, strips: StripCount::Sixteen, law: STRIP }
+}
+
+pub const fn placed([lateral, vertical, yaw, roll]: [f64; 4]) -> Position<f64> {
+    Position { lateral, vertical, yaw, roll }
+}
+
+/// All six members.
+pub const fn rates(velocity: &Velocity<f64>) -> [f64; 6] {
+    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = *velocity;
+    [forward, lateral, vertical, roll, pitch, yaw]
+}

@@ -175,9 +175,9 @@ fn standard_errors_are_those_of_the_noise() {
     let mut random = Random::new(311);
     let (mut within, mut all, mut worst) = (0, 0, 0.0_f64);
     for _ in 0..40 {
-        let points: Vec<_> = (1..=60)
+        let points: Vec<_> = (1..=30)
             .map(|i| {
-                let creepage = along(0.08 * (f64::from(i) / 60.0).powi(2));
+                let creepage = along(0.08 * (f64::from(i) / 30.0).powi(2));
                 let found =
                     friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
                 // nearly normal

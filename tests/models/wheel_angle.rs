@@ -64,8 +64,7 @@ fn steep_contact(row: &Row, kind: &str) -> Option<[f64; 2]> {
     let [load, x, s] = ["normal_force_N", "FX_N", "FS_N"].map(|name| format!("{kind}{name}"));
     let load: f64 = row[&load].parse().ok()?;
     let (contacts, velocity) = steep_contacts(row, load);
-    let law = Law { model: Model::Strip, falling: None };
-    let [fx, fy, fz] = of_contacts(&contacts, &velocity, law, None).unwrap().force;
+    let [fx, fy, fz] = of_contacts(&contacts, &velocity, STRIP, None).unwrap().force;
     let (sine, cosine) = mean_angle(&contacts).sin_cos();
     let off = (fx + number(row, &x)).hypot(fy * cosine + fz * sine + number(row, &s));
     let range = contacts.iter().map(|contact| contact.angle_range).fold(0.0, f64::max);

@@ -3,14 +3,14 @@
 
 use crate::manchester::profile;
 use crate::prelude::*;
+use crate::wheel_rail::moved;
 use kstrip::patch::friction;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
 fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {
     let (rail, wheel) = (profile("rail288"), profile("whl288"));
     let pair = kstrip::wheel_rail::WheelPair { left: i32::from(left), ..steel(0.4191) };
-    let law = Law { model: Model::Strip, falling: None };
-    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let scene = scene(&rail, &wheel, &pair);
     let mut memory = zeroed::<Workspace<f64>>();
     let side = if left { -1.0 } else { 1.0 };
     let position = Position { lateral: side * -65.44e-3, yaw: side * yaw, ..Position::default() };
@@ -40,13 +40,6 @@ fn rolling(speed: f64) -> Velocity<f64> {
         pitch: -speed / 0.4191 + 1e-5,
         yaw: 2e-3 * speed,
     }
-}
-
-fn moved(velocity: &Velocity<f64>, k: usize, step: f64) -> Velocity<f64> {
-    let mut velocity = *velocity;
-    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = &mut velocity;
-    *[forward, lateral, vertical, roll, pitch, yaw][k] += step;
-    velocity
 }
 
 /// Exact derivatives against differences: forward, backward, through standstill; falling friction
@@ -117,22 +110,20 @@ fn derivatives_are_those_of_differences() {
 /// A left wheel is a right one in the mirror; friction dissipates what creep forces take.
 #[test]
 fn left_is_the_mirror_of_right_and_friction_dissipates() {
-    let law = Law { model: Model::Strip, falling: None };
     let (right, left) = (contacts(3e-3, false), contacts(3e-3, true));
     let velocity = rolling(20.0);
     let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
     let mirrored = Velocity { forward, lateral: -lateral, vertical, roll: -roll, pitch, yaw: -yaw };
     let [a, b] = [(&right, &velocity), (&left, &mirrored)]
-        .map(|(contacts, velocity)| of_contacts(contacts, velocity, law, None).unwrap());
+        .map(|(contacts, velocity)| of_contacts(contacts, velocity, STRIP, None).unwrap());
     let [fx, fy, fz, mx, my, mz] = a.members();
     assert_eq!([fx, -fy, fz, -mx, my, -mz], b.members());
     for speed in [20.0, 0.01, -3.0] {
         let velocity = rolling(speed);
-        let wrench = of_contacts(&right, &velocity, law, None).unwrap();
+        let wrench = of_contacts(&right, &velocity, STRIP, None).unwrap();
         assert!(wrench.dissipation > 0.0, "{speed}");
         // creep forces and pressure take the power of the wheel
-        let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
-        let velocity = [forward, lateral, vertical, roll, pitch, yaw];
+        let velocity = rates(&velocity);
         let dot = |a: &[f64; 6]| a.iter().zip(velocity).map(|(a, v)| a * v).sum::<f64>();
         let of_pressure: f64 = right
             .iter()
@@ -170,11 +161,10 @@ fn off(one: &Wrench<f64>, two: &Wrench<f64>) -> f64 {
 /// The share of own slip fades to the forces of a plane contact, and changes those of this contact.
 #[test]
 fn a_share_of_own_slip_that_fades_leaves_a_plane_contact() {
-    let law = Law { model: Model::Strip, falling: None };
     let with = |share: f64| {
         let mut contacts = contacts(3e-3, false);
         contacts.iter_mut().for_each(|contact| contact.own = share);
-        of_contacts(&contacts, &rolling(20.0), law, None).unwrap()
+        of_contacts(&contacts, &rolling(20.0), STRIP, None).unwrap()
     };
     let (plane, own) = (with(0.0), with(0.8));
     assert!(off(&plane, &own) > 0.002, "{}", off(&plane, &own));
@@ -240,11 +230,9 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
     use crate::names::*;
     let contacts = contacts(0.0, false);
     let velocity = rolling(20.0);
-    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = velocity;
-    let velocities = [forward, lateral, vertical, roll, pitch, yaw];
+    let velocities = rates(&velocity);
     let dot = |row: &[f64; 6]| row.iter().zip(velocities).map(|(a, v)| a * v).sum::<f64>();
-    let law = Law { model: Model::Strip, falling: None };
-    let expected = of_contacts(&contacts, &velocity, law, None).unwrap();
+    let expected = of_contacts(&contacts, &velocity, STRIP, None).unwrap();
     let (mut wrench, mut plane_is_off) = ([0.0; 6], false);
     for contact in &contacts {
         let strips = &contact.patch.strips[..contact.patch.count as usize];

@@ -32,8 +32,7 @@ fn drawn(end: f64, height: impl Fn(f64) -> f64) -> Prepared {
 
 /// The warning of a wheel pressed 0.1 mm into a rail.
 fn on_rail(rail: &Surface<f64>, wheel: &Surface<f64>, pair: &WheelPair<f64>) -> Option<Warning> {
-    let law = Law { model: Model::Strip, falling: None };
-    let scene = Scene { rail, wheel, pair, strips: StripCount::Eight, law };
+    let scene = Scene { strips: StripCount::Eight, ..scene(rail, wheel, pair) };
     let mut memory = zeroed::<Workspace<f64>>();
     let position = Position::default();
     let (vertical, _) = scene.height_for_load(&position, 40e3, None, &mut memory).ok()?;
@@ -74,9 +73,7 @@ fn wheels_on_rails_are_told_what_is_implausible() {
     let pair = WheelPair { friction: 0.3, ..steel(0.46) };
     assert_eq!(on_rail(&rail, &wheel, &pair), Some(Warning::None));
     let vertical = {
-        let law = Law { model: Model::Strip, falling: None };
-        let scene =
-            Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+        let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
         let mut memory = zeroed::<Workspace<f64>>();
         scene.height_for_load(&Position::default(), 40e3, None, &mut memory).unwrap().0
     };
@@ -96,9 +93,7 @@ fn wheels_on_rails_are_told_what_is_implausible() {
         (WheelPair { poisson_ratio: 0.0, ..pair }, Warning::None),
     ];
     for (pair, expected) in cases {
-        let law = Law { model: Model::Strip, falling: None };
-        let scene =
-            Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+        let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
         let mut memory = zeroed::<Workspace<f64>>();
         let position = Position { vertical, ..Position::default() };
         let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
@@ -132,8 +127,7 @@ fn a_wheel_that_friction_pulls_down_is_told() {
     };
     let (wheel, _) = scaled("car7216", [1.0, 1.0]);
     let pair = WheelPair { friction: 0.4, ..steel(0.4318) };
-    let law = Law { model: Model::Strip, falling: None };
-    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let scene = scene(&rail, &wheel, &pair);
     let mut memory = zeroed::<Workspace<f64>>();
     let mut told = 0;
     for shift in 0..60 {
@@ -169,10 +163,9 @@ fn coarse_profiles_are_smoothed_or_told() {
     };
     let none = vec![0.0; y.len()];
     let pair = WheelPair { friction: 0.3, ..steel(0.46) };
-    let law = Law { model: Model::Strip, falling: None };
     let mut memory = zeroed::<Workspace<f64>>();
     let mut pressed = |wheel: &Surface<f64>, lateral: f64| {
-        let scene = Scene { rail: &rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let scene = scene(&rail, wheel, &pair);
         let position = Position { lateral, ..Position::default() };
         let (vertical, _) = scene.height_for_load(&position, 80e3, None, &mut memory).unwrap();
         let position = Position { vertical, ..position };
@@ -219,8 +212,7 @@ fn coarse_profiles_are_smoothed_or_told() {
 fn support_ends_at_a_twentieth_of_the_shear_modulus() {
     let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));
     let pair = WheelPair { friction: 0.3, ..steel(0.46) };
-    let law = Law { model: Model::Strip, falling: None };
-    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips: StripCount::Eight, law };
+    let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
     let mut memory = zeroed::<Workspace<f64>>();
     // warning and largest peak pressure over the shear modulus
     let mut under = |load: f64| {

@@ -75,14 +75,13 @@ fn derivatives_by_position_are_those_of_differences() {
     for _ in 0..60 {
         let rail = &rails[random.bits() as usize % rails.len()];
         let wheel = &wheels[random.bits() as usize % wheels.len()];
-        let law = Law { model: Model::Strip, falling: None };
-        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
-        let position = Position {
-            lateral: random.between(-0.018, -0.004),
-            vertical: 0.0,
-            yaw: random.between(-0.02, 0.02),
-            roll: random.between(-0.01, 0.01),
-        };
+        let scene = scene(rail, wheel, &pair);
+        let position = placed([
+            random.between(-0.018, -0.004),
+            0.0,
+            random.between(-0.02, 0.02),
+            random.between(-0.01, 0.01),
+        ]);
         let load = random.log_between(3e3, 150e3);
         let velocity = Velocity {
             forward: 20.0,
@@ -120,9 +119,8 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
     let bumps = y.map(|y| -(180e-6 + 0.008 * y) * ((y / 3.5e-3).powi(2) - 1.0).powi(2));
     wheel.prepare(&y, &bumps, 0.0, 0.0).unwrap();
     let pair = steel(0.46);
-    let law = Law { model: Model::Strip, falling: None };
     let (rail, wheel) = (&*rail, &*wheel);
-    let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+    let scene = scene(rail, wheel, &pair);
     let mut memory = zeroed::<Workspace<f64>>();
     for (lateral, load) in [(1e-5, 30e3), (-4e-5, 45e3), (2e-5, 20e3)] {
         let position = Position { lateral, vertical: 0.0, yaw: 0.002, roll: 1e-4 };
@@ -161,8 +159,7 @@ fn derivatives_by_position_are_there_where_zones_begin() {
     for trial in 0..48 {
         let pair = WheelPair { smoothing_length: [0.0, 2e-3, 4e-3][trial % 3], ..steel(0.46) };
         let (rail, wheel) = (&rails[trial % 6], &wheels[trial / 6 % 4]);
-        let law = Law { model: Model::Strip, falling: None };
-        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let scene = scene(rail, wheel, &pair);
         let [lateral, yaw] = [random.between(-15e-3, 5e-3), random.between(-0.02, 0.02)];
         let start = Position { lateral, yaw, vertical: 0.0, roll: 0.0 };
         let Ok((deep, _)) = scene.height_for_load(&start, 150e3, None, &mut memory) else {

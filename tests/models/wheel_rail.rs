@@ -98,8 +98,7 @@ pub(crate) const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
 
 pub(crate) fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
-    let Velocity { forward, lateral, vertical, roll, pitch, yaw } = *velocity;
-    let velocity = [forward, lateral, vertical, roll, pitch, yaw];
+    let velocity = rates(&velocity);
     wrench.members().iter().zip(velocity).map(|(force, speed)| force * speed).sum()
 }
 
@@ -699,8 +698,7 @@ fn derivatives_by_depth_are_those_of_double_precision() {
         surface
     });
     let pair = single(&stand.pair);
-    let law = Law { model: Model::Strip, falling: None };
-    let strips = StripCount::Sixteen;
+    let (strips, law) = (StripCount::Sixteen, Law { model: Model::Strip, falling: None });
     let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips, law };
     let mut memory = zeroed::<Workspace<f32>>();
     let (still, rolls) = ((0.0, 0.0), (20.0, -43.4));
@@ -747,7 +745,6 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
     let position = stand.at(0.0, 80e3);
     stand.solve(&position, &ROLLING);
     let mut contacts = stand.memory.contacts[..stand.memory.count as usize].to_vec();
-    let law = Law { model: Model::Strip, falling: None };
     let mut random = crate::random::Random::new(3);
     for _ in 0..300 {
         contacts
@@ -756,7 +753,7 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
         let forward = random.sign() * random.log_between(1e-3, 20.0);
         let pitch = -forward / 0.4608 * (1.0 + random.between(-3e-3, 3e-3));
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
-        let wrench = of_contacts(&contacts, &velocity, law, None).unwrap();
+        let wrench = of_contacts(&contacts, &velocity, STRIP, None).unwrap();
         assert!(wrench.dissipation >= 0.0, "{velocity:?}: {}", wrench.dissipation);
     }
     contacts.iter_mut().for_each(|contact| contact.patch.mismatch = 0.2);
@@ -764,17 +761,18 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
         let velocity =
             Velocity { forward: speed, pitch: -speed / 0.4608 + 1e-6, ..Velocity::default() };
         let mut slopes = WrenchDerivatives::default();
-        of_contacts(&contacts, &velocity, law, Some(&mut slopes)).unwrap();
+        of_contacts(&contacts, &velocity, STRIP, Some(&mut slopes)).unwrap();
         let step = 1e-7 * (speed * speed + 4e-4_f64).sqrt();
         for k in [0, 4] {
-            let at = |step| of_contacts(&contacts, &moved(&velocity, k, step), law, None).unwrap();
+            let at =
+                |step| of_contacts(&contacts, &moved(&velocity, k, step), STRIP, None).unwrap();
             let expected = difference(&at(step), &at(-step), step);
             let largest = slopes.velocity[0][k].abs();
             let off = (slopes.velocity[0][k] - expected[0]).abs();
             assert!(off < 1e-4 * largest, "{speed} {k}: {} {}", slopes.velocity[0][k], expected[0]);
         }
     }
-    let still = of_contacts(&contacts, &Velocity::default(), law, None).unwrap();
+    let still = of_contacts(&contacts, &Velocity::default(), STRIP, None).unwrap();
     assert_eq!(still.force[0], 0.0);
 }
 
@@ -786,10 +784,9 @@ fn contacts_of_a_table_are_checked_where_they_count() {
     let position = stand.at(0.0, 80e3);
     stand.solve(&position, &ROLLING);
     let contact = stand.memory.contacts[0];
-    let law = Law { model: Model::Strip, falling: None };
     let solve = |contact: WheelContact<f64>| {
         let mut slopes = WrenchDerivatives::default();
-        of_contacts(&[contact], &ROLLING, law, Some(&mut slopes)).map(|_| slopes)
+        of_contacts(&[contact], &ROLLING, STRIP, Some(&mut slopes)).map(|_| slopes)
     };
     assert!(solve(contact).is_ok());
     assert_eq!(solve(WheelContact { share: -1.0, ..contact }).err(), Some(Error::NormalForce));
@@ -843,12 +840,11 @@ fn warnings_and_reach_have_their_bounds() {
     let position = stand.at(0.0, 80e3);
     stand.solve(&position, &ROLLING);
     let contact = stand.memory.contacts[0];
-    let law = Law { model: Model::Strip, falling: None };
     let warning = |angle_range: f64, yaw: f64| {
         let velocity = Velocity { yaw, ..ROLLING };
         let mut contact = contact;
         contact.angle_range = angle_range;
-        of_contacts(&[contact], &velocity, law, None).unwrap().warning
+        of_contacts(&[contact], &velocity, STRIP, None).unwrap().warning
     };
     assert_eq!(warning(0.52, 0.0), Warning::None);
     assert_eq!(warning(0.53, 0.0), Warning::AngleRange);

@@ -3,7 +3,6 @@
 
 use crate::manchester::profile;
 use crate::prelude::*;
-use kstrip::forces::options::Model;
 use kstrip::wheelset::conicity::RadiusDifference;
 use kstrip::wheelset::forces::{WheelsetByPosition, WheelsetDerivatives, WheelsetForces};
 use kstrip::wheelset::settle::Settled;
@@ -70,15 +69,7 @@ impl Stand {
         motion: [RailMotion<f64>; 2],
     ) -> (Wheelset<'_, f64>, &mut WheelsetWorkspace<f64>) {
         let Self { rails, wheels, pairs, origins, memory } = self;
-        let law = Law { model: Model::Strip, falling: None };
-        let strips = StripCount::Sixteen;
-        let scenes = [0, 1].map(|i| Scene {
-            rail: &rails[i],
-            wheel: &wheels[i],
-            pair: &pairs[i],
-            strips,
-            law,
-        });
+        let scenes = [0, 1].map(|i| scene(&rails[i], &wheels[i], &pairs[i]));
         let excess = (pairs[0].wheel_radius - pairs[1].wheel_radius) / 2.0;
         let sides = [(1.0, 0, 6), (-1.0, 1, 8)].map(|(sign, i, rail)| Side {
             arm: sign * HALF,
@@ -582,21 +573,11 @@ fn rollers_push_a_yawed_wheelset_farther() {
 #[test]
 fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
     let mut stand = Stand::new_profiles();
-    let zero = 0.0;
-    let velocity = Velocity {
-        forward: 20.0,
-        lateral: zero,
-        vertical: zero,
-        roll: zero,
-        pitch: zero,
-        yaw: zero,
-    };
-    let loads = WheelsetLoads { vertical: 160e3, roll: zero, pitch: zero };
+    let loads = WheelsetLoads { vertical: 160e3, ..LOAD };
     let mut carried = Vec::new();
     for k in [61, 64, 66, 70, 74, 78, 82, 86, 88, 89] {
         let lateral = -1e-4 * f64::from(k);
-        let start = Position { lateral, vertical: zero, yaw: 0.01, roll: zero };
-        match stand.settle(&start, &velocity, &loads) {
+        match stand.settle(&at(lateral, 0.01), &ROLLS, &loads) {
             Ok(found) => {
                 let [[_, _, right], [_, _, left]] = found.forces.rail;
                 assert_relative_eq!(right + left, 160e3, max_relative = 1e-6);
