@@ -35,36 +35,46 @@ fn point(creepage: f64, fx: f64) -> MeasuredForce<f64> {
     }
 }
 
-fn read<T: serde_like::Row>(name: &str) -> Vec<T> {
+fn read(name: &str) -> Vec<csv::StringRecord> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    reader.records().map(|row| T::of(&row.unwrap())).collect()
+    csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect()
 }
 
-mod serde_like {
-    pub trait Row {
-        fn of(row: &csv::StringRecord) -> Self;
-    }
-    impl Row for (f64, f64) {
-        fn of(row: &csv::StringRecord) -> Self {
-            (row[0].parse().unwrap(), row[1].parse().unwrap())
-        }
-    }
-    impl Row for (String, f64, f64) {
-        fn of(row: &csv::StringRecord) -> Self {
-            (row[0].to_string(), row[1].parse().unwrap(), row[2].parse().unwrap())
-        }
-    }
+fn number(row: &csv::StringRecord, column: usize) -> f64 {
+    row[column].parse().unwrap()
 }
 
 fn measured() -> Vec<MeasuredForce<f64>> {
-    let points = read::<(f64, f64)>("eurosprinter_measured.csv");
-    points.iter().map(|(c, f)| point(c / 100.0, f * LOCOMOTIVE.normal_force)).collect()
+    let points = read("eurosprinter_measured.csv");
+    points
+        .iter()
+        .map(|row| point(number(row, 0) / 100.0, number(row, 1) * LOCOMOTIVE.normal_force))
+        .collect()
 }
 
 fn curve(series: &str) -> Vec<MeasuredForce<f64>> {
-    let points = read::<(String, f64, f64)>("traction_curves.csv");
-    points.iter().filter(|row| row.0 == series).map(|row| point(row.1, row.2)).collect()
+    let points = read("traction_curves.csv");
+    let own = points.iter().filter(|row| &row[0] == series);
+    own.map(|row| point(number(row, 1), number(row, 2))).collect()
+}
+
+/// Points on the curve of a law, `count` of them, each at its creepage, times a factor.
+fn made(
+    law: &SlipFriction<f64>,
+    count: i32,
+    at: impl Fn(f64) -> f64,
+    mut factor: impl FnMut(i32) -> f64,
+) -> Vec<MeasuredForce<f64>> {
+    let point = |i: i32| {
+        let creepage = at(f64::from(i));
+        point(creepage, behind(&along(creepage), law).fx * factor(i))
+    };
+    (1..=count).map(point).collect()
+}
+
+/// The locomotive's forces under a law.
+fn behind(motion: &Creepage<f64>, law: &SlipFriction<f64>) -> Solution<f64> {
+    friction::solve_with_law(&LOCOMOTIVE, motion, law, &total()).unwrap().solution
 }
 
 fn fit(
@@ -78,9 +88,7 @@ fn fit(
 /// Root of the mean of the squares over the load of points below a creepage.
 fn rms(points: &[MeasuredForce<f64>], law: &SlipFriction<f64>, below: f64) -> f64 {
     let of = points.iter().filter(|p| p.longitudinal < below).map(|p| {
-        let found =
-            friction::solve_with_law(&LOCOMOTIVE, &along(p.longitudinal), law, &total()).unwrap();
-        ((found.solution.fx - p.fx) / LOCOMOTIVE.normal_force).powi(2)
+        ((behind(&along(p.longitudinal), law).fx - p.fx) / LOCOMOTIVE.normal_force).powi(2)
     });
     let squares: Vec<f64> = of.collect();
     (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()
@@ -119,13 +127,7 @@ fn curves_that_others_published_are_met() {
 #[test]
 fn a_law_finds_itself() {
     let truth = SlipFriction { slide_factor: 0.4, ..START };
-    let points: Vec<_> = (1..=30)
-        .map(|i| {
-            let creepage = along(0.01 * f64::from(i * i) / 30.0);
-            let found = friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
-            point(creepage.longitudinal, found.solution.fx)
-        })
-        .collect();
+    let points = made(&truth, 30, |i| 0.01 * i * i / 30.0, |_| 1.0);
     let start = SlipFriction { rolling_speed: 10.0, ratio: 0.9, ..SlipFriction::of_constant(0.0) };
     let found = fit(&points, TWO, start);
     println!("{found:?}");
@@ -143,21 +145,9 @@ fn a_law_finds_itself() {
     let points: Vec<_> = (1..=12)
         .map(|i| {
             let size = 2e-4 * f64::from(i * i);
-            let m = creep(size, 0.5 * size, 0.1);
-            let found =
-                friction::solve_with_law(&LOCOMOTIVE, &m, &truth, &total()).unwrap().solution;
-            let Creepage { longitudinal, lateral, spin } = m;
-            let (fx, fy) = (found.fx, found.fy);
-            MeasuredForce {
-                longitudinal,
-                lateral,
-                spin,
-                fx,
-                fy,
-                weight: 2.0,
-                measured: 3,
-                reserved: 0,
-            }
+            let (lateral, spin) = (0.5 * size, 0.1);
+            let Solution { fx, fy, .. } = behind(&creep(size, lateral, spin), &truth);
+            MeasuredForce { lateral, spin, fy, weight: 2.0, measured: 3, ..point(size, fx) }
         })
         .collect();
     let found =
@@ -175,16 +165,9 @@ fn standard_errors_are_those_of_the_noise() {
     let mut random = Random::new(311);
     let (mut within, mut all, mut worst) = (0, 0, 0.0_f64);
     for _ in 0..40 {
-        let points: Vec<_> = (1..=30)
-            .map(|i| {
-                let creepage = along(0.08 * (f64::from(i) / 30.0).powi(2));
-                let found =
-                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
-                // nearly normal
-                let noise = (0..12).map(|_| random.between(-0.5, 0.5)).sum::<f64>();
-                point(creepage.longitudinal, found.solution.fx * (1.0 + 0.02 * noise))
-            })
-            .collect();
+        // nearly normal
+        let mut noise = |_| 1.0 + 0.02 * (0..12).map(|_| random.between(-0.5, 0.5)).sum::<f64>();
+        let points = made(&truth, 30, |i| 0.08 * (i / 30.0).powi(2), &mut noise);
         let found = fit(&points, ONE, SlipFriction { slide_factor: 0.5, ..START });
         for (of, error, truth) in [
             (found.law.friction, found.standard_errors.friction, truth.friction),
@@ -205,16 +188,7 @@ fn standard_errors_are_those_of_the_noise() {
 #[test]
 fn points_that_do_not_tell_are_named() {
     let truth = SlipFriction { slope_factor: 0.3, ..SlipFriction::of_constant(0.35) };
-    let points = |largest: f64| -> Vec<_> {
-        (1..=20)
-            .map(|i| {
-                let creepage = along(largest * f64::from(i) / 20.0);
-                let found =
-                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
-                point(creepage.longitudinal, found.solution.fx)
-            })
-            .collect()
-    };
+    let points = |largest: f64| made(&truth, 20, |i| largest * i / 20.0, |_| 1.0);
     let which = [true, false, false, true, false, false];
     let start = SlipFriction::of_constant(0.3);
     assert_eq!(fit(&points(1e-4), which, start).warning, Warning::Undetermined);
@@ -232,15 +206,10 @@ fn undetermined_begins_at_half_of_a_parameter() {
     let which = [true, false, false, true, false, false];
     let truth = SlipFriction { slope_factor: 0.3, ..SlipFriction::of_constant(0.35) };
     let fitted = |noise: f64| {
-        let points: Vec<_> = (1..=30)
-            .map(|i| {
-                let creepage = along(4e-3 * f64::from(i) / 30.0);
-                let found =
-                    friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
-                let sign = [1.0, -1.0, -1.0, 1.0][i as usize % 4];
-                point(creepage.longitudinal, found.solution.fx + sign * noise * 106.7e3)
-            })
-            .collect();
+        let mut points = made(&truth, 30, |i| 4e-3 * i / 30.0, |_| 1.0);
+        for (point, sign) in points.iter_mut().zip([-1.0, -1.0, 1.0, 1.0].iter().cycle()) {
+            point.fx += sign * noise * 106.7e3;
+        }
         fit(&points, which, SlipFriction::of_constant(0.3))
     };
     let (mut low, mut high) = (0.01, 1.0);
@@ -270,29 +239,24 @@ fn bad_points_are_named() {
     assert_eq!(of(&good, [false; 6]), Err((2, Error::FitParameters)));
     let [first, second] = good;
     let without = MeasuredForce { weight: 0.0, ..second };
+    let spins = MeasuredForce { spin: f64::NAN, ..first };
+    assert_eq!(of(&[spins, second], which), Err((0, Error::NotFinite)));
+    for (bad, error) in [
+        (MeasuredForce { fx: f64::NAN, ..second }, Error::NotFinite),
+        (MeasuredForce { weight: -1.0, ..second }, Error::Weight),
+        (MeasuredForce { measured: 4, ..second }, Error::Measured),
+    ] {
+        assert_eq!(of(&[first, bad], which), Err((1, error)));
+    }
     assert_eq!(of(&[first, without], which), Err((2, Error::FewPoints)));
-    assert_eq!(
-        of(&[first, MeasuredForce { fx: f64::NAN, ..second }], which),
-        Err((1, Error::NotFinite))
-    );
-    assert_eq!(
-        of(&[MeasuredForce { spin: f64::NAN, ..first }, second], which),
-        Err((0, Error::NotFinite))
-    );
-    assert_eq!(
-        of(&[first, MeasuredForce { weight: -1.0, ..second }], which),
-        Err((1, Error::Weight))
-    );
-    assert_eq!(
-        of(&[first, MeasuredForce { measured: 4, ..second }], which),
-        Err((1, Error::Measured))
-    );
-    let start = SlipFriction { layer: -1.0, ..SlipFriction::of_constant(0.3) };
-    let found = fit_friction(&LOCOMOTIVE, &good, &start, which, &total());
-    assert_eq!(found.map(|_| ()), Err((2, Error::Layer)));
-    let start = SlipFriction { slide_factor: 1.5, ..SlipFriction::of_constant(0.3) };
-    let found = fit_friction(&LOCOMOTIVE, &good, &start, which, &total());
-    assert_eq!(found.map(|_| ()), Err((2, Error::SlideFactor)));
+    let start = SlipFriction::of_constant(0.3);
+    for (start, error) in [
+        (SlipFriction { layer: -1.0, ..start }, Error::Layer),
+        (SlipFriction { slide_factor: 1.5, ..start }, Error::SlideFactor),
+    ] {
+        let found = fit_friction(&LOCOMOTIVE, &good, &start, which, &total());
+        assert_eq!(found.map(|_| ()), Err((2, error)));
+    }
 }
 
 /// Polach's formula with his published sets: `k = (k_A + k_S)/2`, `k₁ = 0.33 k_S/(k_A + k_S)`. He
@@ -355,7 +319,7 @@ fn friction_is_estimated_under_the_law() {
         let creepage = [5e-4, 2e-3, 5e-3, 1.5e-2][n / 3 % 4];
         let spin = if n < 12 { 0.0 } else { random.between(-0.3, 0.3) };
         let m = Creepage { spin, ..along(creepage) };
-        let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
+        let made = behind(&m, &law);
         let other = SlipFriction { friction: f64::from(n as u32 % 7) * 0.1, ..law };
         let found = estimate_friction(
             &LOCOMOTIVE,
@@ -374,7 +338,7 @@ fn friction_is_estimated_under_the_law() {
         let (back, warning) =
             creepage_for_force(&LOCOMOTIVE, [made.fx, made.fy], spin, Some(&law), &total())
                 .unwrap();
-        let again = friction::solve_with_law(&LOCOMOTIVE, &back, &law, &total()).unwrap().solution;
+        let again = behind(&back, &law);
         if warning == Warning::None {
             assert!(
                 (again.fx - made.fx).hypot(again.fy - made.fy) < 1e-6 * made.fx.abs(),
@@ -395,7 +359,7 @@ fn a_slope_factor_is_not_taken_for_low_friction() {
     let other = SlipFriction { friction: 0.7, ..law };
     for (creepage, clean) in [(5e-4, 0.031), (2e-3, 0.113), (5e-3, 0.235), (1.5e-2, 0.330)] {
         let m = along(creepage);
-        let made = friction::solve_with_law(&LOCOMOTIVE, &m, &law, &total()).unwrap().solution;
+        let made = behind(&m, &law);
         let estimate = |law: Option<&SlipFriction<f64>>| {
             let force = [made.fx, 0.0];
             estimate_friction(&LOCOMOTIVE, &m, law, &total(), Measured::Fx, force).unwrap()
@@ -412,14 +376,8 @@ fn a_slope_factor_is_not_taken_for_low_friction() {
 fn the_error_of_a_layer_is_a_share_of_it() {
     let truth = SlipFriction { layer: 1.2e-13, ..START };
     let truth = SlipFriction { ratio: 1.0, slope_factor: 0.0, ..truth };
-    let points: Vec<_> = (1..=20)
-        .map(|i| {
-            let creepage = along(2e-5 * f64::from(i * i));
-            let found = friction::solve_with_law(&LOCOMOTIVE, &creepage, &truth, &total()).unwrap();
-            let off = if i % 2 == 0 { 1.01 } else { 0.99 };
-            point(creepage.longitudinal, found.solution.fx * off)
-        })
-        .collect();
+    let off = |i: i32| if i % 2 == 0 { 1.01 } else { 0.99 };
+    let points = made(&truth, 20, |i| 2e-5 * i * i, off);
     let found = fit(&points, [true, false, false, false, false, true], truth);
     let share = found.standard_errors.layer / found.law.layer;
     assert!(share > 1e-3 && share < 0.1, "{found:?}");

@@ -16,6 +16,22 @@ fn jacobian(patch: &Full, motion: &Creepage<f64>, model: Model) -> [[f64; 3]; 3]
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]))
 }
 
+/// Irregular patches with motions, and models with strips.
+fn states(seed: u64, count: usize) -> impl Iterator<Item = (Full, Creepage<f64>, Model)> {
+    let mut random = Random::new(seed);
+    let state = move |i| (irregular(&mut random), motion(&mut random), WITH_STRIPS[i % 3]);
+    (0..count).map(state)
+}
+
+/// Forces and moment are these, but for a share of a unit.
+#[track_caller]
+fn assert_forces(found: &Solution<f64>, wanted: [f64; 3], allowed: [f64; 3]) {
+    for ((found, wanted), allowed) in [found.fx, found.fy, found.mz].iter().zip(wanted).zip(allowed)
+    {
+        assert!((found - wanted).abs() < allowed, "{found} {wanted}");
+    }
+}
+
 fn ellipse(contact: &Contact<f64>, count: StripCount) -> Full {
     Full::from_ellipse(contact, count).unwrap()
 }
@@ -40,9 +56,8 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
         let (wanted, wanted_slopes) = forces::solve_jacobian(&c, &motion, &model).unwrap();
         let found = solve(&patch, &motion, Model::Strip);
         let unit = c.friction * c.normal_force;
-        assert!((found.fx - wanted.fx).abs() < 4e-15 * unit, "{found:?} {wanted:?}");
-        assert!((found.fy - wanted.fy).abs() < 5e-15 * unit, "{found:?} {wanted:?}");
-        assert!((found.mz - wanted.mz).abs() < 4e-15 * unit * (c.a + c.b), "{found:?} {wanted:?}");
+        let allowed = [4e-15 * unit, 5e-15 * unit, 4e-15 * unit * (c.a + c.b)];
+        assert_forces(&found, [wanted.fx, wanted.fy, wanted.mz], allowed);
         assert!((found.adhesion - wanted.adhesion).abs() < 4e-15, "{found:?} {wanted:?}");
         assert_eq!(found.warning, wanted.warning);
         let slopes = jacobian(&patch, &motion, Model::Strip);
@@ -94,11 +109,7 @@ fn elliptic_strips_of_the_theory_of_1967() {
 /// gives the opposite.
 #[test]
 fn irregular_patches_keep_the_bounds() {
-    let mut random = Random::new(403);
-    for i in 0..600 {
-        let patch = irregular(&mut random);
-        let motion = motion(&mut random);
-        let model = WITH_STRIPS[i % 3];
+    for (patch, motion, model) in states(403, 600) {
         let view = patch.view().unwrap();
         let found = solve(&patch, &motion, model);
         let bound = view.friction_bound();
@@ -145,21 +156,15 @@ fn irregular_patches_keep_the_bounds() {
 /// change their signs.
 #[test]
 fn a_mirrored_patch_gives_mirrored_forces() {
-    let mut random = Random::new(404);
-    for i in 0..300 {
-        let patch = irregular(&mut random);
-        let motion = motion(&mut random);
+    for (patch, motion, model) in states(404, 300) {
         let strips: Vec<_> =
             patch.strips.iter().map(|strip| PatchStrip { y: -strip.y, ..*strip }).collect();
         let mirrored = Full::from_strips(&strips, 82e9, 0.28).unwrap();
         let Creepage { longitudinal, lateral, spin } = motion;
         let other = creep(longitudinal, -lateral, -spin);
-        let model = WITH_STRIPS[i % 3];
         let (found, other) = (solve(&patch, &motion, model), solve(&mirrored, &other, model));
         let unit = patch.view().unwrap().friction_bound();
-        assert!((found.fx - other.fx).abs() < 4e-15 * unit, "{found:?} {other:?}");
-        assert!((found.fy + other.fy).abs() < 4e-15 * unit, "{found:?} {other:?}");
-        assert!((found.mz + other.mz).abs() < 4e-15 * unit, "{found:?} {other:?}");
+        assert_forces(&found, [other.fx, -other.fy, -other.mz], [4e-15 * unit; 3]);
     }
 }
 
@@ -168,9 +173,7 @@ fn a_mirrored_patch_gives_mirrored_forces() {
 #[test]
 fn a_moved_patch_is_the_same_patch() {
     let mut random = Random::new(405);
-    for i in 0..300 {
-        let patch = irregular(&mut random);
-        let motion = motion(&mut random);
+    for (patch, motion, model) in states(405, 300) {
         let (x, y) = (random.between(-0.02, 0.02), random.between(-0.05, 0.05));
         let strips: Vec<_> = patch
             .strips
@@ -181,15 +184,11 @@ fn a_moved_patch_is_the_same_patch() {
         // υx − φ y and υy + φ x are the creepages at a point
         let Creepage { longitudinal, lateral, spin } = motion;
         let there = creep(longitudinal + spin * y, lateral - spin * x, spin);
-        let model = WITH_STRIPS[i % 3];
         let (found, other) = (solve(&patch, &motion, model), solve(&moved, &there, model));
         let unit = patch.view().unwrap().friction_bound();
         // rounding of the creepages, as steep as the theory is
-        let slack = 3e-14 * unit;
-        assert!((found.fx - other.fx).abs() < slack, "{found:?} {other:?}");
-        assert!((found.fy - other.fy).abs() < slack, "{found:?} {other:?}");
         let arms = found.mz + x * found.fy - y * found.fx;
-        assert!((arms - other.mz).abs() < slack, "{found:?} {other:?}");
+        assert_forces(&other, [found.fx, found.fy, arms], [3e-14 * unit; 3]);
     }
 }
 
@@ -227,9 +226,7 @@ fn lobes_do_not_know_of_each_other() {
             mz += own.mz - centre * own.fx;
         }
         let unit = both.view().unwrap().friction_bound();
-        assert!((found.fx - fx).abs() < 4e-15 * unit, "{found:?} {fx}");
-        assert!((found.fy - fy).abs() < 4e-15 * unit, "{found:?} {fy}");
-        assert!((found.mz - mz).abs() < 4e-15 * unit, "{found:?} {mz}");
+        assert_forces(&found, [fx, fy, mz], [4e-15 * unit; 3]);
     }
 }
 
@@ -330,12 +327,8 @@ fn strips_without_friction_or_load() {
 /// itself by differences that do not agree; there are few.
 #[test]
 fn derivatives_are_those_of_the_forces() {
-    let mut random = Random::new(408);
     let mut comparison = Comparison::default();
-    for i in 0..900 {
-        let patch = irregular(&mut random);
-        let motion = motion(&mut random);
-        let model = WITH_STRIPS[i % 3];
+    for (patch, motion, model) in states(408, 900) {
         let exact = jacobian(&patch, &motion, model);
         let forces = |motion: &Creepage<f64>| {
             let found = solve(&patch, motion, model);
@@ -353,11 +346,7 @@ fn derivatives_are_those_of_the_forces() {
 /// load; inside `|traction| ≤ μ Z`, outside and in the gaps nothing.
 #[test]
 fn fields_integrate_to_the_forces() {
-    let mut random = Random::new(409);
-    for i in 0..12 {
-        let patch = irregular(&mut random);
-        let motion = motion(&mut random);
-        let model = WITH_STRIPS[i % 3];
+    for (patch, motion, model) in states(409, 12) {
         let view = patch.view().unwrap();
         let field = PatchField::new(&view, &motion, None, model).unwrap();
         let n = 2000;
@@ -385,9 +374,7 @@ fn fields_integrate_to_the_forces() {
         // The forces of STRIP's strips are sums over a few nodes of their slip part, its field lies
         // between them.
         let allowed = if model == Model::Strip { 0.01 } else { 1e-4 } * unit;
-        assert!((fx - found.fx).abs() < allowed, "{model:?} {fx} {found:?}");
-        assert!((fy - found.fy).abs() < allowed, "{model:?} {fy} {found:?}");
-        assert!((mz - found.mz).abs() < allowed * 2e-2, "{model:?} {mz} {found:?}");
+        assert_forces(&found, [fx, fy, mz], [allowed, allowed, allowed * 2e-2]);
         let (first, last) = (patch.strips[0], patch.strips[patch.strips.len() - 1]);
         for (x, y) in [
             (0.0, first.y - 0.51 * first.width),
@@ -460,9 +447,8 @@ fn single_precision() {
         if wanted.warning == Warning::SpinBeyondTheory {
             continue;
         }
-        assert!((f64::from(found.fx) - wanted.fx).abs() < 6e-7 * unit, "{found:?} {wanted:?}");
-        assert!((f64::from(found.fy) - wanted.fy).abs() < 2e-6 * unit, "{found:?} {wanted:?}");
-        assert!((f64::from(found.mz) - wanted.mz).abs() < 5e-9 * unit, "{found:?} {wanted:?}");
+        let found = [found.fx, found.fy, found.mz].map(f64::from);
+        assert_forces(&wanted, found, [6e-7, 2e-6, 5e-9].map(|share| share * unit));
         let view = single.view().unwrap();
         let (_, slopes) = solver::patch_jacobian(&view, &slow, model).unwrap();
         assert!(slopes.iter().all(|slope| slope.is_finite()));

@@ -9,12 +9,10 @@ const SIXTEEN: StripCount = StripCount::Sixteen;
 
 /// A parabola `y²/(2 R)` at `2 n + 1` points.
 fn parabola(radius: f64, half_width: f64, n: i32) -> (Vec<f64>, Vec<f64>) {
-    let y: Vec<f64> = (-n..=n).map(|i| half_width * f64::from(i) / f64::from(n)).collect();
-    let distance = y.iter().map(|y| y * y / (2.0 * radius)).collect();
-    (y, distance)
+    drawn(n, half_width, |y| y * y / (2.0 * radius))
 }
 
-fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
+pub(crate) fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
     ProfileContact {
         rolling_radius,
         given: Given::Load(load),
@@ -25,8 +23,24 @@ fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
     }
 }
 
+fn built(
+    y: &[f64],
+    distance: &[f64],
+    contact: &ProfileContact<f64>,
+    count: StripCount,
+) -> (Full, Indentation<f64>) {
+    Full::from_profile(&Profile::new(y, distance).unwrap(), contact, count).unwrap()
+}
+
 fn found(y: &[f64], distance: &[f64], contact: &ProfileContact<f64>) -> Indentation<f64> {
-    Full::from_profile(&Profile::new(y, distance).unwrap(), contact, SIXTEEN).unwrap().1
+    built(y, distance, contact, SIXTEEN).1
+}
+
+/// Places from -end to end, `n` to either side, and the heights there.
+fn drawn(n: i32, end: f64, height: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
+    let y: Vec<f64> = (-n..=n).map(|i| end * f64::from(i) / f64::from(n)).collect();
+    let distance = y.iter().map(|y| height(*y)).collect();
+    (y, distance)
 }
 
 /// Paraboloids are Hertz's: semi-axes, pressure, approach, and `dN/dδ = 3 N/(2 δ)`.
@@ -38,12 +52,7 @@ fn paraboloids_are_those_of_hertz() {
             let radii = Radii { lower_x: flat, lower_y: across, upper_x: rolling, upper_y: flat };
             let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
             let (y, distance) = parabola(across, 4.0 * exact.b, 200);
-            let (patch, found) = Full::from_profile(
-                &Profile::new(&y, &distance).unwrap(),
-                &pressed(rolling, load),
-                SIXTEEN,
-            )
-            .unwrap();
+            let (patch, found) = built(&y, &distance, &pressed(rolling, load), SIXTEEN);
             let area = patch.view().unwrap().area();
             let longest = patch.strips.iter().map(|s| s.half_length).fold(0.0, f64::max);
             let deviations = [
@@ -79,9 +88,7 @@ fn load_and_approach_are_each_others_inverse() {
             );
             let at = |approach: f64| {
                 let contact = ProfileContact { given: Given::Approach(approach), ..case.contact() };
-                Full::from_profile(&Profile::new(&case.y, &case.distance).unwrap(), &contact, count)
-                    .unwrap()
-                    .1
+                built(&case.y, &case.distance, &contact, count).1
             };
             let by_approach = at(by_load.approach);
             assert_eq!(by_approach.approach, by_load.approach);
@@ -141,22 +148,13 @@ fn a_profile_is_its_shape() {
 /// Load and approach rise together, also where a second zone of contact comes in.
 #[test]
 fn two_zones_of_contact() {
-    let n = 300;
-    let y: Vec<f64> = (-n..=n).map(|i| 12e-3 * f64::from(i) / f64::from(n)).collect();
     // a double bottom, the right one 10 µm higher
-    let distance: Vec<f64> = y
-        .iter()
-        .map(|y| f64::min((y + 5e-3).powi(2) / 0.3, (y - 5e-3).powi(2) / 0.2 + 10e-6))
-        .collect();
+    let bottoms = |y: f64| f64::min((y + 5e-3).powi(2) / 0.3, (y - 5e-3).powi(2) / 0.2 + 10e-6);
+    let (y, distance) = drawn(300, 12e-3, bottoms);
     let mut before = 0.0;
     let mut lobes = Vec::new();
     for load in [1e2, 1e3, 5e3, 1e4, 2e4, 4e4, 8e4] {
-        let (patch, found) = Full::from_profile(
-            &Profile::new(&y, &distance).unwrap(),
-            &pressed(0.46, load),
-            StripCount::ThirtyTwo,
-        )
-        .unwrap();
+        let (patch, found) = built(&y, &distance, &pressed(0.46, load), StripCount::ThirtyTwo);
         assert!(found.approach > before, "{load} {found:?}");
         before = found.approach;
         let view = patch.view().unwrap();
@@ -177,8 +175,7 @@ fn a_corrugated_profile_loses_no_zone() {
         let height = |y: f64| (0..9).map(|k| (y - groove(k)).powi(2) / 0.02).fold(1.0, f64::min);
         let distance: Vec<f64> = y.iter().map(|y| height(*y)).collect();
         let contact = ProfileContact { smoothing_length: 0.4e-3, ..pressed(0.46, 2e3) };
-        let profile = Profile::new(&y, &distance).unwrap();
-        let (patch, _) = Full::from_profile(&profile, &contact, StripCount::SixtyFour).unwrap();
+        let (patch, _) = built(&y, &distance, &contact, StripCount::SixtyFour);
         for k in 0..9 {
             let near = patch.strips.iter().filter(|strip| (strip.y - groove(k)).abs() < 0.5e-3);
             let load: f64 = near.map(PatchStrip::load).sum();
@@ -210,12 +207,7 @@ fn noise_and_bad_points_hardly_matter() {
                     *h += 5e-6 * normal;
                 }
             }
-            let (patch, _) = Full::from_profile(
-                &Profile::new(&case.y, &distance).unwrap(),
-                &case.contact(),
-                SIXTEEN,
-            )
-            .unwrap();
+            let (patch, _) = built(&case.y, &distance, &case.contact(), SIXTEEN);
             for motion in &case.motions {
                 let [clean, patch] = [&clean, &patch].map(|patch| {
                     let view = patch.view().unwrap();
@@ -297,14 +289,11 @@ fn profiles_in_single_precision() {
 /// zones become one.
 #[test]
 fn zones_merge_without_a_jump() {
-    let n = 1000;
-    let y: Vec<f64> = (-n..=n).map(|i| 20e-3 * f64::from(i) / f64::from(n)).collect();
     let motion = creep(3e-4, 5e-4, 0.1);
     for (crest, merging, zones) in
         [(70e-6, [150e3, 160e3], [true, false]), (30e-6, [76e3, 84e3], [true, true])]
     {
-        let distance: Vec<f64> =
-            y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
+        let (y, distance) = drawn(1000, 20e-3, |y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2));
         // largest steps of the force with STRIP and TOTAL and of the approach; whether two lobes
         // were seen, and one
         let steps = |[mut load, end]: [f64; 2], share: f64| {
@@ -312,9 +301,7 @@ fn zones_merge_without_a_jump() {
             let mut last = None::<([[f64; 2]; 2], f64)>;
             while load < end {
                 let contact = pressed(0.46, load);
-                let (patch, found) =
-                    Full::from_profile(&Profile::new(&y, &distance).unwrap(), &contact, SIXTEEN)
-                        .unwrap();
+                let (patch, found) = built(&y, &distance, &contact, SIXTEEN);
                 let view = patch.view().unwrap();
                 let both = [Model::Strip, Model::Total].map(|model| {
                     let found = solver::solve_patch(&view, &motion, model).unwrap();
@@ -380,14 +367,12 @@ fn wide_contacts_do_not_jump() {
         let (radius, step) = (random.between(0.8, 1.6), random.between(0.1e-3, 0.15e-3));
         let (height, length) = (random.between(0.1e-6, 0.4e-6), random.between(5e-3, 8e-3));
         let shift = random.between(-1e-3, 1e-3);
-        let y: Vec<f64> = (-300..=300).map(|i| step * f64::from(i)).collect();
         let h = |y: f64| (y - shift).powi(2) / (2.0 * radius) + height * (TAU * y / length).cos();
-        let distance: Vec<f64> = y.iter().map(|y| h(*y)).collect();
+        let (y, distance) = drawn(300, 300.0 * step, h);
         let count = [SIXTEEN, StripCount::Eight][trial % 2];
         let of = |given: Given<f64>| {
             let contact = ProfileContact { given, smoothing_length: 1e-3, ..pressed(0.46, 80e3) };
-            let profile = Profile::new(&y, &distance).unwrap();
-            Full::from_profile(&profile, &contact, count).unwrap().1
+            built(&y, &distance, &contact, count).1
         };
         // (without the powers by which a parabola's load and approach grow)
         let by_approach =
@@ -412,12 +397,7 @@ fn a_zone_appears_and_a_gap_closes_slowly() {
         for (y, distance) in y.iter().zip(&mut distance) {
             *distance += (y.abs() - 10e-3).max(0.0).powi(2) / 0.2;
         }
-        let (patch, found) = Full::from_profile(
-            &Profile::new(&y, &distance).unwrap(),
-            &pressed(0.46, 80e3),
-            SIXTEEN,
-        )
-        .unwrap();
+        let (patch, found) = built(&y, &distance, &pressed(0.46, 80e3), SIXTEEN);
         let forces = solver::solve_patch(&patch.view().unwrap(), &motion, Model::Strip).unwrap();
         [(found.approach + found.lowest) / 110e-6, forces.fx / 24e3, forces.fy / 24e3]
     };
@@ -445,9 +425,7 @@ fn two_bottoms(shift: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn flat_with_shoulders(half_width: f64) -> (Vec<f64>, Vec<f64>) {
-    let y: Vec<f64> = (-200..=200).map(|i| 0.2e-3 * f64::from(i)).collect();
-    let distance = y.iter().map(|y| (y.abs() - half_width).max(0.0).powi(2) / 0.6).collect();
-    (y, distance)
+    drawn(200, 40e-3, |y| (y.abs() - half_width).max(0.0).powi(2) / 0.6)
 }
 
 /// From 1e-12 m on, within one step of the points: no contact is refused, and a parabola's load
@@ -483,8 +461,7 @@ fn refining_never_fails() {
             for smoothing_length in [0.0, 0.2e-3, 1e-3, 4e-3] {
                 let (y, distance) = two_bottoms(shift);
                 let contact = ProfileContact { smoothing_length, ..pressed(0.46, 80e3) };
-                let profile = Profile::new(&y, &distance).unwrap();
-                let (patch, _) = Full::from_profile(&profile, &contact, count).unwrap();
+                let (patch, _) = built(&y, &distance, &contact, count);
                 let load = patch.view().unwrap().normal_force();
                 assert_relative_eq!(load, 80e3, max_relative = 4e-15);
             }
@@ -521,9 +498,8 @@ fn stiffness_is_the_slope_of_the_load() {
 /// step.
 #[test]
 fn a_second_zone_begins_with_nothing() {
-    let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
     let bottom = |y: f64| ((y - 6.213e-3).powi(2) / 0.3).min((y + 4.787e-3).powi(2) / 0.2 + 12e-6);
-    let distance: Vec<f64> = y.iter().map(|y| bottom(*y)).collect();
+    let (y, distance) = drawn(400, 40e-3, bottom);
     let mut last = None::<(f64, Indentation<f64>)>;
     for i in 0..400 {
         let approach = 12.2e-6 + 2.5e-9 * f64::from(i);

@@ -1,6 +1,7 @@
 //! Skewed contacts, of wheels that yaw, against Hertz's solution in the principal axes.
 
 use crate::prelude::*;
+use crate::profile::pressed;
 use nalgebra::Vector2;
 
 const LOAD: f64 = 60e3;
@@ -29,14 +30,7 @@ impl Paraboloid {
         let distance: Vec<f64> = y.iter().map(|y| across * y * y / 2.0).collect();
         let centre: Vec<f64> = y.iter().map(|y| slope * y).collect();
         let profile = Profile::new(&y, &distance).unwrap().with_centre_x(&centre).unwrap();
-        let contact = ProfileContact {
-            rolling_radius: 1.0 / along,
-            given,
-            shear_modulus: 82e9,
-            poisson_ratio: 0.28,
-            friction: 0.3,
-            smoothing_length: 1e-9,
-        };
+        let contact = ProfileContact { given, smoothing_length: 1e-9, ..pressed(1.0 / along, 1.0) };
         Patch::from_profile(&profile, &contact, StripCount::Sixteen).unwrap()
     }
 }
@@ -107,14 +101,7 @@ fn skew_changes_a_contact_as_it_changes_that_of_hertz() {
 fn contacts_without_skew_keep_their_bits() {
     let y: Vec<f64> = (-40..=40).map(|i| f64::from(i) * 0.3e-3).collect();
     let distance: Vec<f64> = y.iter().map(|y| 3.0 * y * y + 1e4 * y.powi(4)).collect();
-    let contact = ProfileContact {
-        rolling_radius: 0.5,
-        given: Given::Approach(80e-6),
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        smoothing_length: 0.0,
-    };
+    let contact = ProfileContact { given: Given::Approach(80e-6), ..pressed(0.5, 1.0) };
     let of = |profile: &Profile<f64>| {
         Patch::<f64, 48>::from_profile(profile, &contact, StripCount::Sixteen).unwrap()
     };
