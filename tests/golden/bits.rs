@@ -82,6 +82,18 @@ impl Hash {
         }
     }
 
+    pub fn members<F: Bits>(&mut self, wrench: &Wrench<F>) {
+        self.add(&wrench.members());
+        self.add(&[wrench.dissipation, wrench.normal_force]);
+        self.mix(u64::from(wrench.contacts));
+    }
+
+    /// A wrench with its status; whether there is one.
+    pub fn wrench<F: Bits>(&mut self, found: Result<Wrench<F>, Error>) -> bool {
+        let found = self.status(found.map(|wrench| (wrench, wrench.warning)));
+        found.inspect(|wrench| self.members(wrench)).is_some()
+    }
+
     fn point<F: Bits>(&mut self, answer: Result<(FieldPoint<F>, Warning), Error>) {
         if let Some(p) = self.status(answer) {
             self.add(&[p.pressure, p.traction_x, p.traction_y, p.slip_x, p.slip_y]);
@@ -153,6 +165,32 @@ pub fn inputs(i: u32) -> (Contact<f64>, Creepage<f64>, Options) {
 /// A quotient of integers, rounded to the precision.
 pub fn part<F: Bits>(whole: u32, of: f64) -> F {
     F::of(f64::from(whole) / of)
+}
+
+/// Friction that falls with the slip, of clean bodies.
+pub fn law<F: Bits>(
+    [friction, ratio, decay, rolling_speed, slope_factor]: [F; 5],
+) -> SlipFriction<F> {
+    let (slide_factor, layer) = (F::zero(), F::zero());
+    SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
+}
+
+/// A contact of a profile, by radius, modulus, Poisson's ratio, friction and smoothing length.
+pub fn pressed<F: Bits>(given: Given<F>, of: [F; 5]) -> ProfileContact<F> {
+    let [rolling_radius, shear_modulus, poisson_ratio, friction, smoothing_length] = of;
+    #[rustfmt::skip]
+    let contact = ProfileContact {
+        rolling_radius, given, shear_modulus, poisson_ratio, friction, smoothing_length,
+    };
+    contact
+}
+
+/// What a profile gave.
+pub fn hash_indentation<F: Bits>(hash: &mut Hash, found: &Indentation<F>) {
+    let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, lowest, .. } =
+        *found;
+    hash.add(&[approach, normal_force, stiffness, peak_pressure, peak_y, lowest]);
+    hash.mix(u64::from(found.iterations));
 }
 
 /// One case in one precision: what `tests/c/golden_case.h` does.
@@ -246,14 +284,10 @@ impl<F: Bits> Case<'_, F> {
                     .collect();
                 let rough = |n| away(n) * away(n) * bend * 8 + self.draw(100 + n, 20);
                 let distance: Vec<F> = (0..33).map(|n| part(rough(n), 1e7)).collect();
-                let load = ProfileContact {
-                    rolling_radius: part(200 + self.draw(21, 800), 1000.0),
-                    given: Given::Load(contact.normal_force),
-                    shear_modulus: contact.shear_modulus,
-                    poisson_ratio: contact.poisson_ratio,
-                    friction: contact.friction,
-                    smoothing_length: F::zero(),
-                };
+                let Contact { normal_force, shear_modulus, poisson_ratio, friction, .. } = *contact;
+                let radius = part(200 + self.draw(21, 800), 1000.0);
+                let numbers = [radius, shear_modulus, poisson_ratio, friction, F::zero()];
+                let load = pressed(Given::Load(normal_force), numbers);
                 // (more are fewer on a microcontroller)
                 let strips = options.strips.min(StripCount::Sixteen);
                 let built =
@@ -298,15 +332,13 @@ impl<F: Bits> Case<'_, F> {
     /// Friction that falls with the slip: of the contact, and of the patch in its hash.
     fn falling(&self, [hash, of_patch]: [&mut Hash; 2], patch: Option<&Full<F>>) {
         let Self { contact, creepage, options, .. } = *self;
-        let law = SlipFriction {
-            friction: part(5 + self.draw(30, 60), 100.0),
-            ratio: part(self.draw(31, 11), 10.0),
-            decay: part(self.draw(32, 20), 10.0),
-            rolling_speed: part(self.draw(33, 60), 1.0),
-            slope_factor: part(1 + self.draw(34, 10), 10.0),
-            slide_factor: F::zero(),
-            layer: F::zero(),
-        };
+        let law = law([
+            part(5 + self.draw(30, 60), 100.0),
+            part(self.draw(31, 11), 10.0),
+            part(self.draw(32, 20), 10.0),
+            part(self.draw(33, 60), 1.0),
+            part(1 + self.draw(34, 10), 10.0),
+        ]);
         let found = differentiate_with_law(contact, creepage, Some(&law), options);
         hash.derivatives(&found);
         if let Ok(found) = found {

@@ -3,10 +3,10 @@
 //! profiles that scatter or are scanned twice. All inputs are quotients of whole numbers drawn at
 //! random.
 
-use crate::bits::{draw, inputs, part};
+use crate::bits::{draw, hash_indentation, inputs, law, part, pressed};
 use crate::prelude::*;
 use crate::single::{converted, converted_motion};
-use crate::wheel::{PAIRS, Stand, hash_surface, hash_wrench};
+use crate::wheel::{PAIRS, Stand, hash_surface};
 use kstrip::friction::solve_with_law;
 
 /// A number from -1 to 1 in thousandths.
@@ -97,20 +97,10 @@ fn hash_folds<F: Bits>(hash: &mut Hash) {
             a: near(1.895_987_803_9e-3, 1),
             b: near(12.213_934_758e-3, 2),
             normal_force: F::of(3780.0 + f64::from(i) * 0.5),
-            shear_modulus: F::of(82e9),
-            poisson_ratio: F::of(0.28),
-            friction: F::of(0.3),
-            mismatch: F::zero(),
+            ..converted(&C0)
         };
-        let law = SlipFriction {
-            friction: near(0.270_816_316_4, 3),
-            ratio: F::of(0.313_705_792_6),
-            decay: near(3.110_822_057, 4),
-            rolling_speed: F::of(14.0),
-            slope_factor: F::zero(),
-            slide_factor: F::zero(),
-            layer: F::zero(),
-        };
+        let (friction, decay) = (near(0.270_816_316_4, 3), near(3.110_822_057, 4));
+        let law = law([friction, F::of(0.313_705_792_6), decay, F::of(14.0), F::zero()]);
         let creepage = creep(near(-2.592_569e-3, 5), near(-8.262_624e-3, 6), near(-0.888_384, 7));
         let model = [Model::Total, Model::Total, Model::Strip][i as usize % 3];
         let options = Options { model, strips: StripCount::Eight };
@@ -140,15 +130,8 @@ fn hash_layers<F: Bits>(hash: &mut Hash) {
 
 /// Laws that are fitted to points that scatter.
 fn hash_fits<F: Bits>(hash: &mut Hash) {
-    let contact = Contact {
-        a: F::of(6.3e-3),
-        b: F::of(12.6e-3),
-        normal_force: F::of(106.7e3),
-        shear_modulus: F::of(82e9),
-        poisson_ratio: F::of(0.28),
-        friction: F::of(0.33),
-        mismatch: F::zero(),
-    };
+    let contact = Contact { a: 6.3e-3, b: 12.6e-3, normal_force: 106.7e3, friction: 0.33, ..C0 };
+    let contact = converted(&contact);
     for i in 0..24 {
         let points: Vec<_> = (0..10)
             .map(|n| {
@@ -168,15 +151,7 @@ fn hash_fits<F: Bits>(hash: &mut Hash) {
                 }
             })
             .collect();
-        let start = SlipFriction {
-            friction: F::zero(),
-            ratio: F::of(0.5),
-            decay: F::of(0.3),
-            rolling_speed: F::of(10.0),
-            slope_factor: F::of(0.5),
-            slide_factor: F::zero(),
-            layer: F::zero(),
-        };
+        let start = law([0.0, 0.5, 0.3, 10.0, 0.5].map(F::of));
         let fitted = [0, 1, 2, 3, 4, 5].map(|k| k == 0 || draw(i, 50 + k, 2) == 1);
         let model = if i % 3 == 0 { Model::Strip } else { Model::Total };
         let options = Options { model, strips: StripCount::Eight };
@@ -218,23 +193,14 @@ fn hash_young_zones<F: Bits>(hash: &mut Hash) {
             [y, distance].map(|list| list.into_iter().map(F::of).collect::<Vec<_>>());
         let Ok(profile) = Profile::new(&y, &distance) else { continue };
         for given in [Given::Approach(overlap), Given::Load(F::of(size(i, 8, [10.0, 1e3, 1e4])))] {
-            let contact = ProfileContact {
-                rolling_radius: F::of(0.45),
-                given,
-                shear_modulus: F::of(82e9),
-                poisson_ratio: F::of(0.28),
-                friction: F::of(0.3),
-                smoothing_length: F::of([0.0, 2e-5, 3e-4, 1e-3][draw(i, 10, 4) as usize]),
-            };
+            let smoothing = [0.0, 2e-5, 3e-4, 1e-3][draw(i, 10, 4) as usize];
+            let contact = pressed(given, [0.45, 82e9, 0.28, 0.3, smoothing].map(F::of));
             let strips = [StripCount::Four, StripCount::Eight, StripCount::Sixteen];
             let built =
                 Patch::<F, 64>::from_profile(&profile, &contact, strips[draw(i, 11, 3) as usize]);
             let built = built.map(|(patch, found)| ((patch, found), found.warning));
             let Some((patch, found)) = hash.status(built) else { continue };
-            let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, .. } =
-                found;
-            hash.add(&[approach, normal_force, stiffness, peak_pressure, peak_y, found.lowest]);
-            hash.mix(u64::from(found.iterations));
+            hash_indentation(hash, &found);
             for s in &patch.strips {
                 hash.add(&[s.y, s.width, s.half_length, s.centre_x, s.peak_pressure]);
             }
@@ -278,9 +244,7 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         for deeper in [0.3e-3, 2e-3, 6e-3] {
             let position = Position { vertical: vertical + F::of(deeper), ..place };
             let found = scene.solve(&position, &Velocity::default(), memory, None, None);
-            if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
-                hash_wrench(hash, &wrench);
-            }
+            hash.wrench(found);
         }
         let position = Position { vertical, ..place };
         let mut by_velocity = WrenchDerivatives::default();
@@ -288,8 +252,7 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         let rolls = velocity(i);
         let found =
             scene.solve(&position, &rolls, memory, Some(&mut by_velocity), Some(&mut by_position));
-        if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
-            hash_wrench(hash, &wrench);
+        if hash.wrench(found) {
             by_velocity.velocity.iter().for_each(|row| hash.add(row));
             let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
             [lateral, vertical, yaw, roll].iter().for_each(|slopes| hash.add(slopes));
@@ -330,7 +293,7 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
         let Some(found) = hash.status(found.map(|found| (found, found.warning))) else { continue };
         let Position { vertical, roll, .. } = found.position;
         hash.add(&[vertical, roll, found.velocity.pitch]);
-        hash_wrench(hash, &found.forces.wrench);
+        hash.members(&found.forces.wrench);
     }
 }
 

@@ -1,8 +1,10 @@
 //! The same bits of prepared profiles, of wheels on rails, and of the patch of a profile between
 //! unlike materials, in both precisions: `tests/data/golden_wheel.txt`, written like the others.
 
+use crate::bits::{hash_indentation, law, pressed};
 use crate::manchester::points;
 use crate::prelude::*;
+use crate::single::converted;
 
 /// Name; profiles of rail and wheel, and the length over which they are smoothed; lateral position,
 /// yaw and roll; load \[N\]; whether the wheel is the left one.
@@ -94,15 +96,7 @@ impl<F: Bits> Stand<F> {
             let [forward, lateral, vertical, roll, pitch, yaw] = rates;
             Velocity { forward, lateral, vertical, roll, pitch, yaw }
         };
-        let falling = SlipFriction {
-            friction: F::one(),
-            ratio: F::of(0.4),
-            decay: F::of(0.6),
-            rolling_speed: F::one(),
-            slope_factor: F::of(0.7),
-            slide_factor: F::zero(),
-            layer: F::zero(),
-        };
+        let falling = law([1.0, 0.4, 0.6, 1.0, 0.7].map(F::of));
         let scene = |pair, model, falling| {
             let law = Law { model, falling };
             Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }
@@ -119,8 +113,7 @@ impl<F: Bits> Stand<F> {
         let mut by_position = WrenchByPosition::default();
         let found =
             strip.solve(&position, &rolls, memory, Some(&mut by_velocity), Some(&mut by_position));
-        if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
-            hash_wrench(hash, &wrench);
+        if hash.wrench(found) {
             hash_slopes(hash, &by_velocity);
             let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
             [lateral, vertical, yaw, roll].iter().for_each(|slopes| hash.add(slopes));
@@ -133,8 +126,7 @@ impl<F: Bits> Stand<F> {
             let mut slopes = WrenchDerivatives::default();
             let law = Law { model: Model::Strip, falling: Some(&falling) };
             let found = of_contacts(&contacts, &velocity(speed), law, Some(&mut slopes));
-            if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
-                hash_wrench(hash, &wrench);
+            if hash.wrench(found) {
                 hash_slopes(hash, &slopes);
             }
         }
@@ -149,18 +141,11 @@ impl<F: Bits> Stand<F> {
                 None,
                 None,
             );
-            if let Some(wrench) = hash.status(found.map(|wrench| (wrench, wrench.warning))) {
-                hash_wrench(hash, &wrench);
+            if hash.wrench(found) {
                 hash_contacts(hash, memory);
             }
         }
     }
-}
-
-pub fn hash_wrench<F: Bits>(hash: &mut Hash, wrench: &Wrench<F>) {
-    hash.add(&wrench.members());
-    hash.add(&[wrench.dissipation, wrench.normal_force]);
-    hash.mix(u64::from(wrench.contacts));
 }
 
 fn hash_slopes<F: Bits>(hash: &mut Hash, slopes: &WrenchDerivatives<F>) {
@@ -181,6 +166,9 @@ fn hash_contacts<F: Bits>(hash: &mut Hash, memory: &Workspace<F>) {
         }
     }
 }
+
+/// Creepages of patches and ellipses.
+const MOTIONS: [[f64; 3]; 3] = [[1e-3, 4e-4, 0.1], [-2e-4, 0.0, 0.5], [0.0; 3]];
 
 /// A patch of a profile with two zones between unlike materials: by load and by approach, with
 /// friction that falls and without.
@@ -211,37 +199,20 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
         for given in
             [Given::Load(F::of(90e3)), Given::Load(F::of(300.0)), Given::Approach(F::of(60e-6))]
         {
-            let contact = ProfileContact {
-                rolling_radius: F::of(0.45),
-                given,
-                shear_modulus: F::of(40e9),
-                poisson_ratio: F::of(0.3),
-                friction: F::of(0.35),
-                smoothing_length: F::of(if count == many { 0.0 } else { 5e-4 }),
-            };
+            let smoothing = if count == many { 0.0 } else { 5e-4 };
+            let contact = pressed(given, [0.45, 40e9, 0.3, 0.35, smoothing].map(F::of));
             let built = Patch::<F, 64>::from_profile(&profile, &contact, count);
             let built = built.map(|(patch, found)| ((patch, found), found.warning));
             let Some((mut patch, found)) = hash.status(built) else { continue };
-            let Indentation { approach, normal_force, stiffness, peak_pressure, peak_y, .. } =
-                found;
-            hash.add(&[approach, normal_force, stiffness, peak_pressure, peak_y, found.lowest]);
-            hash.mix(u64::from(found.iterations));
+            hash_indentation(hash, &found);
             patch.mismatch = F::of(-0.2);
             let Some(view) = hash.status(patch.view().map(|view| (view, Warning::None))) else {
                 continue;
             };
-            let law = SlipFriction {
-                friction: F::one(),
-                ratio: F::of(0.3),
-                decay: F::of(0.8),
-                rolling_speed: F::of(20.0),
-                slope_factor: F::of(0.8),
-                slide_factor: F::zero(),
-                layer: F::zero(),
-            };
-            for [longitudinal, lateral, spin] in [[1e-3, 4e-4, 0.1], [-2e-4, 0.0, 0.5], [0.0; 3]] {
-                let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(F::of);
-                let creepage = Creepage { longitudinal, lateral, spin };
+            let law = law([1.0, 0.3, 0.8, 20.0, 0.8].map(F::of));
+            for creepage in MOTIONS {
+                let [x, y, spin] = creepage.map(F::of);
+                let creepage = creep(x, y, spin);
                 for law in [None, Some(&law)] {
                     let found =
                         patch_friction::differentiate_patch(&view, &creepage, law, Model::Strip);
@@ -254,30 +225,16 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
 
 /// Ellipses of unlike materials: forces and derivatives, with friction that falls and without.
 fn hash_ellipses<F: Bits>(hash: &mut Hash) {
-    let law = SlipFriction {
-        friction: F::of(0.4),
-        ratio: F::of(0.3),
-        decay: F::of(0.8),
-        rolling_speed: F::of(20.0),
-        slope_factor: F::of(0.8),
-        slide_factor: F::zero(),
-        layer: F::zero(),
-    };
+    let law = law([0.4, 0.3, 0.8, 20.0, 0.8].map(F::of));
     for model in [Model::Strip, Model::Total, Model::Linear] {
         for (axis_ratio, mismatch) in [(0.3, 0.2), (1.0, -0.1), (4.0, 0.25)] {
-            let contact = Contact {
-                a: F::of(5e-3 * axis_ratio),
-                b: F::of(5e-3),
-                normal_force: F::of(80e3),
-                shear_modulus: F::of(40e9),
-                poisson_ratio: F::of(0.3),
-                friction: F::of(0.3),
-                mismatch: F::of(mismatch),
-            };
-            for [longitudinal, lateral, spin] in [[1e-3, 4e-4, 0.1], [-2e-4, 0.0, 0.5], [0.0; 3]] {
-                let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(F::of);
-                let creepage = Creepage { longitudinal, lateral, spin };
-                let options = Options { model, strips: StripCount::Sixteen };
+            let (a, b, shear_modulus, poisson_ratio) = (5e-3 * axis_ratio, 5e-3, 40e9, 0.3);
+            let contact = Contact { a, b, shear_modulus, poisson_ratio, mismatch, ..C0 };
+            let contact = Contact { mismatch: F::of(mismatch), ..converted(&contact) };
+            for creepage in MOTIONS {
+                let [x, y, spin] = creepage.map(F::of);
+                let creepage = creep(x, y, spin);
+                let options = sixteen(model);
                 for law in [None, Some(&law)] {
                     hash.derivatives(&differentiate_with_law(&contact, &creepage, law, &options));
                 }

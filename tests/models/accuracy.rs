@@ -2,9 +2,9 @@
 //! enough that an improvement must tighten it, and the limits that were required.
 
 use crate::prelude::*;
+use crate::reference::options;
 use crate::reference::*;
 use crate::slopes;
-use crate::theory::options;
 use std::collections::HashSet;
 use std::fmt::Write;
 

@@ -4,11 +4,15 @@ use crate::prelude::*;
 use crate::single;
 use kstrip::forces::derivatives;
 
-/// Forces over μN and moment over μN√(ab) for given parameters.
-fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {
-    let s = solved(c, &theory::creepage(c, p[0], p[1], p[2]), o);
+/// Forces over μN and moment over μN√(ab) of a contact.
+fn over(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 3] {
     let unit = c.friction * c.normal_force;
     [s.fx / unit, s.fy / unit, s.mz / (unit * (c.a * c.b).sqrt())]
+}
+
+/// The same for given parameters.
+fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {
+    over(c, &solved(c, &theory::creepage(c, p[0], p[1], p[2]), o))
 }
 
 /// d(fx, fy, mz)/d(ξ, η, ψ) from the derivatives with respect to the creepages.
@@ -21,57 +25,35 @@ fn slopes(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)] * columns[k] / rows[i]))
 }
 
-/// Thousands of random points, both rules, every count, |ψ| ≤ 0.98: 1e-7 of the size of the row.
-/// Points with a breakpoint of the computed function inside the stencil show themselves by
-/// differences that do not converge; a smaller stencil usually escapes it.
+/// Thousands of random points, every count: 1e-7 of the size of the row. Points with a breakpoint
+/// of the computed function inside the stencil show themselves by differences that do not converge;
+/// a smaller stencil usually escapes it.
 #[test]
 fn derivatives_are_those_of_the_computed_forces() {
-    check(3_000, 61, |random| {
+    let beyond = |random: &mut Random| random.sign() * random.between(1.001, 3.0);
+    let anywhere = |random: &mut Random, low: f64, high: f64| {
+        let size = random.log_between(low, high);
+        [0; 3].map(|_| size * random.between(-1.0, 1.0))
+    };
+    // both rules up to |ψ| = 0.98
+    check_models(&MODELS, 3_000, 61, |random| {
         [random.between(-1.3, 1.3), random.between(-1.3, 1.3), random.between(-0.98, 0.98)]
     });
-}
-
-/// Beyond unit spin with lateral creepage along the spin: everything slides, about a moving strip.
-#[test]
-fn derivatives_of_full_sliding_beyond_unit_spin() {
-    check(600, 65, |random| {
-        let psi = random.sign() * random.between(1.001, 3.0);
+    // with lateral creepage along the spin everything slides, about a moving strip
+    check_models(&MODELS, 600, 65, |random| {
+        let psi = beyond(random);
         [random.between(-0.8, 0.8), psi.signum() * random.between(0.01, 1.3), psi]
     });
-}
-
-/// Beyond unit spin with lateral creepage against it, where some strips adhere.
-#[test]
-fn derivatives_beyond_unit_spin() {
-    check(1_000, 62, |random| {
-        let psi = random.sign() * random.between(1.001, 3.0);
+    // with lateral creepage against it some strips adhere
+    check_models(&MODELS, 1_000, 62, |random| {
+        let psi = beyond(random);
         [random.between(-0.8, 0.8), -psi.signum() * random.between(0.0, 1.3), psi]
     });
-}
-
-/// Small parameters, where forces are almost linear and the adhesion interval is almost everything.
-#[test]
-fn derivatives_at_small_creepage() {
-    check(1_000, 63, |random| {
-        let size = random.log_between(1e-3, 1e-1);
-        [0; 3].map(|_| size * random.between(-1.0, 1.0))
-    });
-}
-
-/// The models after 1967, up to the spin they are fitted for.
-#[test]
-fn derivatives_of_the_later_models() {
-    check_models(&LATER, 3_000, 66, |random| {
-        let size = random.log_between(1e-3, 3.0);
-        [0; 3].map(|_| size * random.between(-1.0, 1.0))
-    });
-}
-
-/// Strips that follow the slip, total forces, linear theory.
-const LATER: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
-
-fn check(points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3]) {
-    check_models(&MODELS, points, seed, next);
+    // where forces are almost linear and the adhesion interval is almost everything
+    check_models(&MODELS, 1_000, 63, |random| anywhere(random, 1e-3, 1e-1));
+    // the models after 1967, up to the spin they are fitted for
+    let later = [Model::Strip, Model::Total, Model::Linear];
+    check_models(&later, 3_000, 66, |random| anywhere(random, 1e-3, 3.0));
 }
 
 fn check_models(
@@ -83,7 +65,6 @@ fn check_models(
     let mut random = Random::new(seed);
     let mut skipped = 0;
     let mut worst = 0.0_f64;
-    let mut wrong = Vec::new();
     for n in 0..points {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
         let o = options(models[n % models.len()], COUNTS[n / models.len() % 5]);
@@ -105,51 +86,12 @@ fn check_models(
             for i in 0..3 {
                 let error = (got[i] - exact[i][k]).abs() / size[i];
                 worst = worst.max(error);
-                if error >= 1e-7 || error.is_nan() {
-                    wrong.push(format!(
-                        "row {i}, column {k}: {:e} against {:e} at {p:?} {o:?} a/b {} ν {}",
-                        exact[i][k],
-                        got[i],
-                        c.a / c.b,
-                        c.poisson_ratio
-                    ));
-                }
+                assert!(error < 1e-7, "{i} {k}: {exact:?}, is {got:?} at {p:?} {o:?} {c:?}");
             }
         }
     }
     println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
-    let some = wrong.iter().take(6).cloned().collect::<Vec<_>>().join("\n");
-    assert!(
-        wrong.is_empty(),
-        "{} of {} entries, worst {worst:e}:\n{some}",
-        wrong.len(),
-        9 * points
-    );
     assert!(skipped * 50 < 3 * points, "{skipped} of {} stencils met a breakpoint", 3 * points);
-}
-
-/// In full sliding the force only turns: no derivative along the slip direction, μN/slip across it.
-#[test]
-fn saturated_force_has_no_derivative_along_the_slip() {
-    for axis_ratio in [0.2, 1.0, 5.0] {
-        let c = contact(axis_ratio, 0.28);
-        for o in MODELS.map(sixteen) {
-            for angle in 0..12 {
-                let (sine, cosine) = (0.3 + f64::from(angle) * 0.52_f64).sin_cos();
-                let p = [3.0 * cosine, 3.0 * sine, 0.0];
-                let j = slopes(&c, p, &o);
-                for row in &j {
-                    let along = row[0] * cosine + row[1] * sine;
-                    assert!(along.abs() < 4e-15, "{o:?}: {along:e}");
-                }
-                // Continuous rule: F = (ξ, η)/τ, so ∂Fx/∂ξ = sin²/τ
-                if o.model == MODELS[1] {
-                    assert!((j[0][0] - sine * sine / 3.0).abs() < 4e-15);
-                    assert!((j[0][1] + sine * cosine / 3.0).abs() < 4e-15);
-                }
-            }
-        }
-    }
 }
 
 /// At rest the derivatives are the linear derivatives and all finite, also in single precision.
@@ -234,12 +176,7 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         assert_eq!(solution, solved(&c, &m, &o), "{o:?}");
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let exact = change.slope(&c, &d);
-            let units = change.of(&c, 0.0);
-            let f = |t: f64| {
-                let s = solved(&change.of(&c, t), &m, &o);
-                let size = units.friction * units.normal_force;
-                [s.fx / size, s.fy / size, s.mz / (size * (units.a * units.b).sqrt())]
-            };
+            let f = |t: f64| over(&c, &solved(&change.of(&c, t), &m, &o));
             let Some(got) = trusted_differences(&f, &exact.map(|slope| slope.abs().max(0.1)))
             else {
                 skipped += 1;

@@ -213,26 +213,6 @@ fn derivatives_follow_friction_and_slip() {
     assert!(skipped * 20 < 3 * points, "{skipped} stencils met a breakpoint");
 }
 
-/// A traction curve has a maximum, and beyond it a negative slope.
-#[test]
-fn traction_curve_has_a_maximum() {
-    let c = contact(1.2, 0.28);
-    let o = Options::default();
-    let pull = |slip: f64| {
-        let (found, j) = with_slopes_under(&c, &creep(slip, 0.0, 0.0), &DRY, &o).unwrap();
-        (found.solution.fx, j[(0, 0)])
-    };
-    let mut turns = 0;
-    let mut before = pull(1e-5);
-    for i in 1..400 {
-        let now = pull(1e-5 * 1.025_f64.powi(i));
-        assert!(now.1.is_finite());
-        turns += usize::from((now.1 > 0.0) != (before.1 > 0.0));
-        before = now;
-    }
-    assert_eq!(turns, 1, "one maximum");
-}
-
 /// Every sign change of `g(μ) − μ` on a fine grid, from above.
 fn solutions(
     c: &Contact<f64>,

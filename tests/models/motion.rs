@@ -142,18 +142,21 @@ fn scaled(c: &Contact<f64>, m: &Motion<f64>, slopes: &MotionDerivatives<f64>) ->
     let mut list = Vec::new();
     let rows = [1.0, 1.0, radius];
     for (i, row) in rows.into_iter().enumerate() {
-        for (slope, column) in slip[i].into_iter().zip(rows) {
-            list.push(slope / (row * column * stiffness / speed));
+        let columns = slip[i].into_iter().zip(rows);
+        list.extend(columns.map(|(slope, column)| slope / (row * column * stiffness / speed)));
+        for (slopes, size) in [
+            (rolling_speed, bound / speed),
+            (normal_force, c.friction),
+            (load_through_hertz, c.friction),
+            (slopes.friction, c.normal_force),
+            (slopes.ratio, bound),
+            (slopes.decay, bound),
+            (slopes.slope_factor, bound),
+            (slopes.slide_factor, bound),
+            (slopes.layer, bound * c.shear_modulus / c.a),
+        ] {
+            list.push(slopes[i] / (row * size));
         }
-        list.push(rolling_speed[i] / (row * bound / speed));
-        list.push(normal_force[i] / (row * c.friction));
-        list.push(load_through_hertz[i] / (row * c.friction));
-        list.push(slopes.friction[i] / (row * c.normal_force));
-        list.push(slopes.ratio[i] / (row * bound));
-        list.push(slopes.decay[i] / (row * bound));
-        list.push(slopes.slope_factor[i] / (row * bound));
-        list.push(slopes.slide_factor[i] / (row * bound));
-        list.push(slopes.layer[i] * c.a / c.shear_modulus / (row * bound));
     }
     list
 }
@@ -340,21 +343,7 @@ fn a_lost_contact_carries_nothing_at_any_speed() {
         let (found, _, slopes) = differentiate_motion(&lost, &m, law.as_ref(), &o).unwrap();
         let Solution { power, adhesion, warning, .. } = found;
         assert_eq!((of(&found), power, adhesion, warning), ([0.0; 3], 0.0, 0.0, Warning::None));
-        let none = [0.0; 3];
-        let (load_through_hertz, friction, ratio) = (none, none, none);
-        let expected = MotionDerivatives {
-            slip: [none; 3],
-            rolling_speed: none,
-            normal_force: none,
-            load_through_hertz,
-            friction,
-            ratio,
-            decay: none,
-            slope_factor: none,
-            slide_factor: none,
-            layer: none,
-        };
-        assert_eq!(slopes, expected);
+        assert!(scaled(&C0, &m, &slopes).iter().all(|slope| *slope == 0.0), "{slopes:?}");
         assert_eq!(of(&solve_motion(&lost, &m, law.as_ref(), &o).unwrap().0), [0.0; 3]);
     }
 }

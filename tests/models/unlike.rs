@@ -1,8 +1,8 @@
 //! Unlike materials: what pressure adds to the creepage, in every model but those of 1967.
 
 use crate::prelude::*;
+use crate::reference::contact;
 use crate::reference::*;
-use crate::theory::contact;
 use kstrip::contact::hertz::from_hertz;
 use kstrip::friction::derivatives;
 use kstrip::motion;
