@@ -98,7 +98,7 @@ pub(crate) const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
 
 pub(crate) fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
-    let velocity = rates(&velocity);
+    let velocity = rates(velocity);
     wrench.members().iter().zip(velocity).map(|(force, speed)| force * speed).sum()
 }
 

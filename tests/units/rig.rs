@@ -97,7 +97,7 @@ fn close_frictions_are_told() {
         ..C0
     };
     let motion = creep(0.0, 9.379_477_888_511_603e-4, -0.517_434_099_177_47);
-    let o = options(Model::Total);
+    let o = sixteen(Model::Total);
     let force = solved(&total, &motion, &o);
     let found =
         estimate_friction(&total, &motion, None, &o, Measured::Fy, [0.0, force.fy]).unwrap();
@@ -128,7 +128,7 @@ fn close_frictions_are_told() {
     };
     let motion =
         creep(5.412_615_851_504_647e-5, -1.878_502_823_146_83e-10, -0.623_965_100_721_438_2);
-    let o = options(Model::Strip);
+    let o = sixteen(Model::Strip);
     let force = solved(&strip, &motion, &o);
     let found =
         estimate_friction(&strip, &motion, None, &o, Measured::Fx, [force.fx, 0.0]).unwrap();
