@@ -83,24 +83,8 @@ pub fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
 
 /// A right wheel of a radius [m], of steel on steel, with friction 0.3.
 pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
-    WheelPair {
-        wheel_radius,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        friction_y: [0.0; 4],
-        friction_at: [0.0; 4],
-        friction_points: 0,
-        left: 0,
-        smoothing_length: 0.0,
-        strips: 0,
-        model: 0,
-        normal_damping: 0.0,
-        floor_speed: 0.0,
-        rail_radius: 0.0,
-        rail_ahead: 0.0,
-        rail_speed: 0.0,
-    }
+    let (shear_modulus, poisson_ratio, friction) = (82e9, 0.28, 0.3);
+    WheelPair { wheel_radius, shear_modulus, poisson_ratio, friction, ..*zeroed() }
 }
 
 pub struct Wheelset {

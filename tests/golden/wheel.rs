@@ -68,16 +68,8 @@ impl<F: Bits> Stand<F> {
             friction: F::of(0.3),
             friction_y: places,
             friction_at: [0.2, 0.3, 0.4, 0.1].map(F::of),
-            friction_points: 0,
-            left: 0,
             smoothing_length: F::of(smoothing_length),
-            strips: 0,
-            model: 0,
-            normal_damping: F::zero(),
-            floor_speed: F::zero(),
-            rail_radius: F::zero(),
-            rail_ahead: F::zero(),
-            rail_speed: F::zero(),
+            ..*zeroed()
         };
         let [rail, wheel] = [rail, wheel].map(|name| surface(name, smoothing_length));
         Self { rail, wheel, pair, memory: zeroed() }

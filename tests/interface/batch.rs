@@ -317,17 +317,7 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     assert_eq!(solve(Some(&from(&arrays)), None), KSTRIP_ERROR_NULL);
     // under friction that falls with the slip, of two contacts as of many
     (arrays[0][1], arrays[2][1]) = (-4e-3, 1e4);
-    let (friction, ratio, decay, rolling_speed, slope_factor) = (0.3, 0.4, 0.6, 20.0, 1.0);
-    let (slide_factor, layer) = (0.0, 0.0);
-    let law = kstrip_friction {
-        friction,
-        ratio,
-        decay,
-        rolling_speed,
-        slope_factor,
-        slide_factor,
-        layer,
-    };
+    let law = falling(0.3, 0.4, 0.6, 20.0, 1.0);
     let falling = kstrip_batch_inputs { law: &law, law_stride: 0, ..from(&arrays) };
     for count in [2, count] {
         let status =
@@ -351,14 +341,12 @@ macro_rules! derivatives_in_any_company {
         #[test]
         fn $name() {
             type Derivatives = kstrip::forces::derivatives::Derivatives<$float>;
-            let law = kstrip::friction::SlipFriction::<$float> {
-                friction: 0.3,
+            let law = SlipFriction::<$float> {
                 ratio: 0.4,
                 decay: 0.6,
                 rolling_speed: 20.0,
                 slope_factor: 0.5,
-                slide_factor: 0.0,
-                layer: 0.0,
+                ..SlipFriction::of_constant(0.3)
             };
             let entries = |d: &Derivatives| {
                 let [x, y, z] = d.jacobian;
@@ -377,8 +365,7 @@ macro_rules! derivatives_in_any_company {
                         problem(any_kind(&mut random, kind).map(|x| x as $float))
                     })
                     .collect();
-                let soft =
-                    kstrip::friction::SlipFriction { slide_factor: 0.4, layer: 3e-14, ..law };
+                let soft = SlipFriction { slide_factor: 0.4, layer: 3e-14, ..law };
                 let law = (round % 2 == 1).then_some(if round % 4 == 1 { &law } else { &soft });
                 let single = |k: usize| {
                     let mut found = untouched;

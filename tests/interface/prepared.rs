@@ -46,6 +46,13 @@ fn prepared_contacts_give_the_same_bits() {
     same_bits!(f32, kstrip_solve_f32, kstrip_prepare_f32, kstrip_solve_prepared_f32);
 }
 
+fn prepared(contact: &kstrip_contact, options: &kstrip_options) -> kstrip_prepared {
+    let mut prepared = MaybeUninit::uninit();
+    assert_eq!(kstrip_prepare(Some(contact), Some(options), Some(&mut prepared)), 0);
+    // SAFETY: status 0.
+    unsafe { prepared.assume_init() }
+}
+
 /// A prepared contact warns of a spin where `kstrip_solve` does, just above the limit as well: the
 /// larger of `0.05/√(a b)` and `5 p₀/(G a)`.
 #[test]
@@ -59,10 +66,7 @@ fn prepared_contacts_warn_of_spin_from_the_same_place_on() {
         let numbers = [a, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, share * limit, 0.0];
         let (contact, creepage) = problem(numbers);
         let options = kstrip_options { model: [3, 4, 5][n as usize % 3], strips: 8 };
-        let mut prepared = MaybeUninit::uninit();
-        assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
-        // SAFETY: status 0.
-        let prepared = unsafe { prepared.assume_init() };
+        let prepared = prepared(&contact, &options);
         let mut found = MaybeUninit::<Solution<f64>>::uninit();
         let status =
             kstrip_solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut found));
@@ -81,10 +85,7 @@ fn prepared_contacts_warn_of_pressure_from_the_same_place_on() {
             let (contact, creepage) =
                 problem([6e-3, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, spin, 0.0]);
             let options = kstrip_options { model: 3, strips: 8 };
-            let mut prepared = MaybeUninit::uninit();
-            assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
-            // SAFETY: status 0.
-            let prepared = unsafe { prepared.assume_init() };
+            let prepared = prepared(&contact, &options);
             let mut found = MaybeUninit::<Solution<f64>>::uninit();
             let status = kstrip_solve_prepared(Some(&prepared), Some(&creepage), Some(&mut found));
             assert_eq!(status == KSTRIP_WARNING_PRESSURE, warns, "{status} {share} {spin}");
@@ -119,11 +120,7 @@ fn what_is_not_prepared_is_refused() {
 /// A contact that is prepared for a model.
 fn prepared_for(model: i32) -> kstrip_prepared {
     let (contact, _) = problem([6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 0.0, 0.0, 0.0, 0.0]);
-    let options = kstrip_options { model, strips: 16 };
-    let mut prepared = MaybeUninit::uninit();
-    assert_eq!(kstrip_prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
-    // SAFETY: status 0.
-    unsafe { prepared.assume_init() }
+    prepared(&contact, &kstrip_options { model, strips: 16 })
 }
 
 /// A structure is refused whose mark has another bit, or that says it was made for another model.

@@ -48,12 +48,7 @@ fn evaluate(
         kstrip_outputs {
             result: (&raw mut (*place).0).cast(),
             derivatives: (&raw mut (*place).1).cast(),
-            law_derivatives: null_mut(),
-            friction: null_mut(),
-            strips: null_mut(),
-            count: null_mut(),
-            capacity: 0,
-            reserved: 0,
+            ..nowhere()
         }
     };
     let (patch, motion) = (Some(patch), Some(motion));
@@ -92,15 +87,7 @@ fn numbers((result, by): &Answer) -> Vec<f64> {
 }
 
 fn falling() -> kstrip_friction {
-    kstrip_friction {
-        friction: 0.3,
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 20.0,
-        slope_factor: 0.8,
-        slide_factor: 0.0,
-        layer: 0.0,
-    }
+    crate::prelude::falling(0.3, 0.4, 0.6, 20.0, 0.8)
 }
 
 /// What each strip sees of a rigid motion, as its own.

@@ -1,7 +1,7 @@
 //! Damping of the pressure, and the floor of the speed of a wheel.
 
 use crate::prelude::*;
-use crate::wheel_rail::moved;
+use crate::wheel_rail::{assert_derivatives, moved};
 
 /// Damping \[s/m\].
 const DAMPING: f64 = 0.8;
@@ -95,16 +95,9 @@ fn derivatives_are_those_of_differences() {
         let (scene, memory) = stand.split();
         scene.solve(&position, &velocity, memory, Some(&mut slopes), Some(&mut by)).unwrap();
         let scale = (forward * forward + 4e-4_f64).sqrt();
-        for k in 0..6 {
-            let step = 2e-7 * scale;
-            let [plus, minus] =
-                [step, -step].map(|step| stand.solve(&position, &moved(&velocity, k, step)));
-            let largest = (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3 / scale, f64::max);
-            for (j, expected) in difference(&plus, &minus, step).into_iter().enumerate() {
-                let off = (slopes.velocity[j][k] - expected).abs();
-                assert!(off < 1e-4 * largest, "{forward} {j} {k}: {off} of {largest}");
-            }
-        }
+        assert_derivatives(&slopes.velocity, 0..6, (2e-7 * scale, 1e-3 / scale), |k, step| {
+            stand.solve(&position, &moved(&velocity, k, step))
+        });
         let [plus, minus] = [2e-7, -2e-7].map(|step| {
             let at = Position { vertical: position.vertical + step, ..position };
             stand.solve(&at, &velocity)
@@ -123,9 +116,7 @@ fn the_floor_of_the_speed_is_that_of_the_pair() {
     let position = stand.at(0.0, 80e3);
     let mut resistance = |floor_speed: f64| {
         stand.pair.floor_speed = floor_speed;
-        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
-        let (scene, memory) = stand.split();
-        scene.solve(&position, &Velocity::default(), memory, Some(&mut slopes), None).unwrap();
+        let slopes = stand.derivatives(&position, &Velocity::default());
         slopes.velocity[1][1]
     };
     let [default, same, larger] = [0.0, 0.02, 0.2].map(&mut resistance);

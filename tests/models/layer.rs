@@ -4,9 +4,6 @@ use crate::patches::motion;
 use crate::prelude::*;
 use kstrip::friction;
 
-const STEEL: f64 = 82e9;
-const POISSON: f64 = 0.28;
-
 fn law(friction: f64, slide_factor: f64, layer: f64) -> SlipFriction<f64> {
     SlipFriction { slide_factor, layer, ..SlipFriction::of_constant(friction) }
 }
@@ -45,15 +42,7 @@ fn rows() -> Vec<Row> {
     let rows = reader.deserialize::<[f64; 11]>().map(|row| {
         let [a, b, normal_force, friction, layer, longitudinal, lateral, spin, fx, fy, mz] =
             row.unwrap();
-        let contact = Contact {
-            a,
-            b,
-            normal_force,
-            shear_modulus: STEEL,
-            poisson_ratio: POISSON,
-            friction,
-            mismatch: 0.0,
-        };
+        let contact = Contact { a, b, normal_force, friction, ..C0 };
         Row {
             contact,
             creepage: Creepage { longitudinal, lateral, spin },
@@ -151,10 +140,7 @@ fn patches_of_ellipses_are_as_near_to_contact_behind_a_layer() {
 }
 
 fn any_contact(random: &mut Random) -> Contact<f64> {
-    Contact {
-        shear_modulus: STEEL,
-        ..theory::contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
-    }
+    theory::contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
 }
 
 fn any_motion(random: &mut Random, c: &Contact<f64>) -> Creepage<f64> {
@@ -325,18 +311,12 @@ fn derivatives_behind_a_layer_are_exact() {
                 values(&c, &m, &SlipFriction { rolling_speed: law.rolling_speed * f, ..law })
             }),
             (law.slope_factor, found.law.slope_factor, &|f| {
-                values(
-                    &c,
-                    &m,
-                    &SlipFriction { slope_factor: (law.slope_factor * f).min(1.0), ..law },
-                )
+                let slope_factor = (law.slope_factor * f).min(1.0);
+                values(&c, &m, &SlipFriction { slope_factor, ..law })
             }),
             (law.slide_factor, found.law.slide_factor, &|f| {
-                values(
-                    &c,
-                    &m,
-                    &SlipFriction { slide_factor: (law.slide_factor * f).min(1.0), ..law },
-                )
+                let slide_factor = (law.slide_factor * f).min(1.0);
+                values(&c, &m, &SlipFriction { slide_factor, ..law })
             }),
             (law.layer, found.law.layer, &|f| {
                 values(&c, &m, &SlipFriction { layer: law.layer * f, ..law })
@@ -649,15 +629,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
 /// Slip whose square does not fit the floating-point type does.
 #[test]
 fn fields_behind_a_layer_are_finite_for_any_slip() {
-    let c = Contact {
-        a: 6e-3_f32,
-        b: 4e-3,
-        normal_force: 8e4,
-        shear_modulus: 8.2e10,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
+    let c = crate::single::single(&Contact { b: 4e-3, ..C0 });
     let patch = Patch::<f32, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let view = patch.view().unwrap();
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {

@@ -2,7 +2,7 @@
 //! straight rail.
 
 use crate::prelude::*;
-use crate::wheel_rail::power;
+use crate::wheel_rail::{assert_derivatives, moved, power};
 
 const RADIUS: f64 = 0.46;
 /// Radius of a rail's head \[m\].
@@ -214,16 +214,8 @@ fn derivatives_are_those_of_differences() {
     (stand.pair.rail_speed, stand.pair.rail_ahead) = (20.0, 0.01);
     let position = under_load(&mut stand, Position { yaw: 5e-3, ..Position::default() });
     let velocity = Velocity { pitch: -43.4, lateral: 0.02, ..Velocity::default() };
-    let mut slopes = zeroed();
-    let (scene, memory) = stand.split();
-    scene.solve(&position, &velocity, memory, Some(&mut slopes), None).unwrap();
-    for k in 0..6 {
-        let step = 4e-6;
-        let [plus, minus] = [step, -step]
-            .map(|step| stand.solve(&position, &crate::wheel_rail::moved(&velocity, k, step)));
-        let largest = (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3, f64::max);
-        for (j, expected) in difference(&plus, &minus, step).into_iter().enumerate() {
-            assert!((slopes.velocity[j][k] - expected).abs() < 1e-4 * largest, "{j} {k}");
-        }
-    }
+    let slopes = stand.derivatives(&position, &velocity);
+    assert_derivatives(&slopes.velocity, 0..6, (4e-6, 1e-3), |k, step| {
+        stand.solve(&position, &moved(&velocity, k, step))
+    });
 }

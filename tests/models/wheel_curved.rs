@@ -3,7 +3,7 @@
 
 use crate::manchester::profile;
 use crate::prelude::*;
-use crate::wheel_rail::moved;
+use crate::wheel_rail::{assert_derivatives, moved};
 use kstrip::patch::friction;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
@@ -75,22 +75,9 @@ fn derivatives_are_those_of_differences() {
             let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
             of_contacts(contacts, &velocity, law, Some(&mut slopes)).unwrap();
             let scale = (speed * speed + 4e-4_f64).sqrt();
-            for k in 0..6 {
-                let step = 3e-7 * scale;
-                let [more, less] =
-                    [step, -step].map(|step| members(contacts, &moved(&velocity, k, step)));
-                let largest =
-                    (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3 / scale, f64::max);
-                for j in 0..6 {
-                    let expected = (more[j] - less[j]) / (2.0 * step);
-                    let off = (slopes.velocity[j][k] - expected).abs();
-                    assert!(
-                        off < 1e-4 * largest,
-                        "{model:?} {falling:?} {speed} {j} {k}: {} {expected}",
-                        slopes.velocity[j][k]
-                    );
-                }
-            }
+            assert_derivatives(&slopes.velocity, 0..6, (3e-7 * scale, 1e-3 / scale), |k, step| {
+                of_contacts(contacts, &moved(&velocity, k, step), law, None).unwrap()
+            });
             let of_friction = |step: f64| {
                 let mut contacts = contacts.clone();
                 let strips = contacts.iter_mut().flat_map(|contact| &mut contact.patch.strips);
@@ -270,16 +257,9 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
             .collect();
         let mut found: Vec<kstrip_strip> = Vec::with_capacity(64);
         let mut count = 0;
-        let outputs = kstrip_outputs {
-            result: null_mut(),
-            derivatives: null_mut(),
-            law_derivatives: null_mut(),
-            friction: null_mut(),
-            strips: found.as_mut_ptr(),
-            count: &raw mut count,
-            capacity: 64,
-            reserved: 0,
-        };
+        let (strips_at, count_at) = (found.as_mut_ptr(), &raw mut count);
+        let outputs =
+            kstrip_outputs { strips: strips_at, count: count_at, capacity: 64, ..nowhere() };
         let rest = creep(0.0, 0.0, 0.0);
         let (patch, own) = (Some(&contact.patch), own.as_ptr());
         // SAFETY: each pointer is NULL or valid; as many creepages as strips, room for all strips.

@@ -68,6 +68,17 @@ impl Stand {
         scene.solve(position, velocity, memory, None, None).unwrap()
     }
 
+    /// Derivatives with respect to velocity.
+    pub(crate) fn derivatives(
+        &mut self,
+        position: &Position<f64>,
+        velocity: &Velocity<f64>,
+    ) -> Box<WrenchDerivatives<f64>> {
+        let (mut slopes, (scene, memory)) = (zeroed(), self.split());
+        scene.solve(position, velocity, memory, Some(&mut slopes), None).unwrap();
+        slopes
+    }
+
     pub(crate) fn height(
         &mut self,
         position: &Position<f64>,
@@ -363,6 +374,24 @@ pub(crate) fn difference(plus: &Wrench<f64>, minus: &Wrench<f64>, step: f64) -> 
     std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * step))
 }
 
+/// Derivatives with respect to these rates are those of differences of this step, but for a share
+/// of the largest of each column, at least `least`.
+pub(crate) fn assert_derivatives(
+    slopes: &[[f64; 6]; 6],
+    rates: impl IntoIterator<Item = usize>,
+    (step, least): (f64, f64),
+    mut at: impl FnMut(usize, f64) -> Wrench<f64>,
+) {
+    for k in rates {
+        let (plus, minus) = (at(k, step), at(k, -step));
+        let largest = (0..6).map(|j| slopes[j][k].abs()).fold(least, f64::max);
+        for (j, expected) in difference(&plus, &minus, step).into_iter().enumerate() {
+            let off = (slopes[j][k] - expected).abs();
+            assert!(off < 1e-4 * largest, "{j} {k}: {} {expected}", slopes[j][k]);
+        }
+    }
+}
+
 /// Exact derivatives with respect to velocity and friction against differences, forward, backward
 /// and at rest.
 #[test]
@@ -376,25 +405,12 @@ fn derivatives_by_velocity_are_those_of_differences() {
             pitch: -speed / 0.4603,
             ..Velocity::default()
         };
-        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
-        let (scene, memory) = stand.split();
-        scene.solve(&position, &velocity, memory, Some(&mut slopes), None).unwrap();
+        let slopes = stand.derivatives(&position, &velocity);
         let scale = (speed * speed + 4e-4_f64).sqrt();
-        for k in 0..6 {
-            let step = 2e-7 * scale;
-            let [plus, minus] =
-                [step, -step].map(|step| stand.solve(&position, &moved(&velocity, k, step)));
-            let expected = difference(&plus, &minus, step);
-            let largest = (0..6).map(|j| slopes.velocity[j][k].abs()).fold(1e-3 / scale, f64::max);
-            for (j, expected) in expected.iter().enumerate() {
-                let off = (slopes.velocity[j][k] - expected).abs();
-                assert!(
-                    off < 1e-4 * largest,
-                    "{speed} {j} {k}: {} {expected}",
-                    slopes.velocity[j][k]
-                );
-            }
-        }
+        let ends = (2e-7 * scale, 1e-3 / scale);
+        assert_derivatives(&slopes.velocity, 0..6, ends, |k, step| {
+            stand.solve(&position, &moved(&velocity, k, step))
+        });
         let [plus, minus] = [1e-5, -1e-5].map(|step| {
             stand.pair.friction = 0.3 * (1.0 + step);
             stand.solve(&position, &velocity)
@@ -426,19 +442,10 @@ fn friction_falls_with_the_slip() {
             assert!((wrench.dissipation / (speed * -forward) - 1.0).abs() < 1e-2, "{speed}");
         }
         let velocity = Velocity { lateral: 0.05, ..ROLLING };
-        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
-        let (scene, memory) = stand.split();
-        scene.solve(&position, &velocity, memory, Some(&mut slopes), None).unwrap();
-        for k in [0, 1, 4] {
-            let step = 4e-6;
-            let [plus, minus] =
-                [step, -step].map(|step| stand.solve(&position, &moved(&velocity, k, step)));
-            let expected = difference(&plus, &minus, step);
-            let largest = expected.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
-            for (row, expected) in slopes.velocity.iter().zip(expected) {
-                assert!((row[k] - expected).abs() < 1e-4 * largest, "{k}: {} {expected}", row[k]);
-            }
-        }
+        let slopes = stand.derivatives(&position, &velocity);
+        assert_derivatives(&slopes.velocity, [0, 1, 4], (4e-6, 0.0), |k, step| {
+            stand.solve(&position, &moved(&velocity, k, step))
+        });
     }
 }
 
@@ -671,18 +678,7 @@ fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
         shear_modulus: pair.shear_modulus as f32,
         poisson_ratio: pair.poisson_ratio as f32,
         friction: pair.friction as f32,
-        friction_y: [0.0; 4],
-        friction_at: [0.0; 4],
-        friction_points: 0,
-        left: 0,
-        smoothing_length: 0.0,
-        strips: 0,
-        model: 0,
-        normal_damping: pair.normal_damping as f32,
-        floor_speed: pair.floor_speed as f32,
-        rail_radius: 0.0,
-        rail_ahead: 0.0,
-        rail_speed: 0.0,
+        ..*zeroed()
     }
 }
 

@@ -10,7 +10,6 @@
 use crate::precise::Precise;
 use crate::prelude::*;
 use crate::random::Random;
-use crate::{precise, random};
 use kstrip::forces::derivatives::solve_jacobian;
 use kstrip::patch::friction;
 use kstrip::strip_1967::strip::adhesion_length;

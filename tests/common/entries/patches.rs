@@ -125,22 +125,22 @@ fn accepted(patch: &kstrip_patch) -> kstrip_patch_summary {
     written(&sums)
 }
 
-fn patch_from_strips(bytes: &mut Bytes) {
+/// A patch that one of the two makes is accepted.
+fn made_by(bytes: &mut Bytes, make: fn(&mut Bytes, Option<&mut MaybeUninit<kstrip_patch>>) -> i32) {
     let with_patch = bytes.given();
     let mut out = poisoned::<kstrip_patch>();
-    let status = from_list(bytes, with_patch.output(0, &mut out));
+    let status = make(bytes, with_patch.output(0, &mut out));
     if answered(status, untouched(&out)) {
         accepted(&written(&out));
     }
 }
 
+fn patch_from_strips(bytes: &mut Bytes) {
+    made_by(bytes, from_list);
+}
+
 fn patch_from_contact(bytes: &mut Bytes) {
-    let with_patch = bytes.given();
-    let mut out = poisoned::<kstrip_patch>();
-    let status = from_contact(bytes, with_patch.output(0, &mut out));
-    if answered(status, untouched(&out)) {
-        accepted(&written(&out));
-    }
+    made_by(bytes, from_contact);
 }
 
 fn patch_from_profile(bytes: &mut Bytes) {
@@ -205,14 +205,9 @@ fn any_bits(bytes: &mut Bytes) -> kstrip_patch {
     let mut any = || -> Float { Number::of(bytes, 1.0) };
     let strips = std::array::from_fn(|i| {
         let mut number = || if i < 3 { any() } else { 0.0 };
-        kstrip_patch_strip {
-            y: number(),
-            width: number(),
-            half_length: number(),
-            centre_x: number(),
-            peak_pressure: number(),
-            friction: number(),
-        }
+        let [y, width, half_length] = [0; 3].map(|_| number());
+        let [centre_x, peak_pressure, friction] = [0; 3].map(|_| number());
+        kstrip_patch_strip { y, width, half_length, centre_x, peak_pressure, friction }
     });
     kstrip_patch {
         strips,

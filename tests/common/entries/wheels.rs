@@ -13,6 +13,25 @@ fn zeroed<T>() -> Box<T> {
     unsafe { Box::new(std::mem::MaybeUninit::<T>::zeroed().assume_init()) }
 }
 
+/// The status of a batch is that of its first bad element, or one of all of them.
+fn is_first_bad(status: i32, statuses: &[i32]) {
+    let bad = statuses.iter().find(|status| **status < 0);
+    assert!(bad.map_or(statuses.contains(&status), |bad| *bad == status));
+}
+
+/// An element of a batch with its status is that of a single call.
+fn is_that_of<T: Copy + PartialEq + std::fmt::Debug>(
+    (own, out): (i32, &MaybeUninit<T>),
+    (expected, single): (i32, &MaybeUninit<T>),
+) {
+    assert_eq!(own, expected);
+    if own < 0 {
+        assert!(untouched(out));
+    } else {
+        assert_eq!(written(out), written(single));
+    }
+}
+
 /// Points of an arc of about 20 mm, some of them moved.
 fn points(bytes: &mut Bytes, radius: f64) -> ([Float; POINTS], [Float; POINTS]) {
     let (mut y, mut z): ([Float; POINTS], [Float; POINTS]) = Default::default();
@@ -80,31 +99,13 @@ impl Scene {
             friction: any(0.3).abs(),
             friction_y: [-5e-3, 0.0, 5e-3, any(1e-2)],
             friction_at: [0.1, any(0.3).abs(), 0.3, 0.4],
-            friction_points: 0,
-            left: 0,
-            smoothing_length: 0.0,
-            strips: 0,
-            model: 0,
-            normal_damping: 0.0,
-            floor_speed: 0.0,
-            rail_radius: 0.0,
-            rail_ahead: 0.0,
-            rail_speed: 0.0,
+            ..*zeroed()
         };
-        let position = kstrip_wheel_position {
-            lateral: any(1e-3),
-            vertical: any(1e-4),
-            yaw: any(1e-2),
-            roll: any(1e-2),
-        };
-        let velocity = kstrip_wheel_velocity {
-            forward: any(20.0),
-            lateral: any(0.1),
-            vertical: any(0.01),
-            roll: any(0.1),
-            pitch: any(43.0),
-            yaw: any(0.1),
-        };
+        let [lateral, vertical, yaw, roll] = [1e-3, 1e-4, 1e-2, 1e-2].map(&mut any);
+        let position = kstrip_wheel_position { lateral, vertical, yaw, roll };
+        let rates = [20.0, 0.1, 0.01, 0.1, 43.0, 0.1].map(any);
+        let [forward, lateral, vertical, roll, pitch, yaw] = rates;
+        let velocity = kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw };
         let mut scene = Self { rail, wheel, pair, position, velocity };
         let choice = bytes.byte();
         scene.pair.left = i32::from(choice % 2);
@@ -292,11 +293,8 @@ fn wheels_on_rails(bytes: &mut Bytes) {
             None,
             None,
         );
-        assert_eq!(own, expected);
-        if own < 0 {
-            assert!(untouched(out));
-        } else {
-            assert_eq!(written(out), written(&single));
+        is_that_of((own, out), (expected, &single));
+        if own >= 0 {
             let count = (memory.count as usize).min(2);
             let loads = |contacts: &[kstrip_wheel_contact]| -> Vec<Float> {
                 contacts[..count].iter().map(|contact| contact.normal_force).collect()
@@ -304,8 +302,7 @@ fn wheels_on_rails(bytes: &mut Bytes) {
             assert_eq!(loads(&met[2 * i..]), loads(&memory.contacts));
         }
     }
-    let bad = statuses.into_iter().find(|status| *status < 0);
-    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+    is_first_bad(status, &statuses);
 }
 
 fn wheel_on_rail(bytes: &mut Bytes) {
@@ -399,15 +396,9 @@ fn heights_for_loads(bytes: &mut Bytes) {
             Some(&mut memory),
             Some(&mut single),
         );
-        assert_eq!(own, expected);
-        if own < 0 {
-            assert!(untouched(out));
-        } else {
-            assert_eq!(written(out), written(&single));
-        }
+        is_that_of((own, out), (expected, &single));
     }
-    let bad = statuses.into_iter().find(|status| *status < 0);
-    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+    is_first_bad(status, &statuses);
 }
 
 /// A wheelset and its track from a scene, with some members changed.
@@ -587,8 +578,7 @@ fn wheelsets_on_track(bytes: &mut Bytes) {
             assert_eq!(written(out).wrench, written(&single).wrench);
         }
     }
-    let bad = statuses.into_iter().find(|status| *status < 0);
-    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+    is_first_bad(status, &statuses);
 }
 
 /// Two balances of a wheelset: those of single calls.
@@ -642,16 +632,10 @@ fn wheelsets_settle(bytes: &mut Bytes) {
                 None,
             )
         };
-        assert_eq!(own, expected);
-        if own < 0 {
-            assert!(untouched(out) && untouched(moved));
-        } else {
-            assert_eq!(written(out), written(&single));
-            assert_eq!(written(moved), written(&turning));
-        }
+        is_that_of((own, out), (expected, &single));
+        is_that_of((own, moved), (expected, &turning));
     }
-    let bad = statuses.into_iter().find(|status| *status < 0);
-    assert!(bad.map_or(statuses.contains(&status), |bad| bad == status));
+    is_first_bad(status, &statuses);
 }
 
 fn rolling_radius_difference(bytes: &mut Bytes) {
