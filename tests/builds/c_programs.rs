@@ -130,7 +130,6 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
     assert_close(count('#') / inside, adhesion, 0.02, "stick in the map");
 }
 
-/// What the header declares.
 fn declared() -> Declared {
     let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("the header");
     header::declared(&(read("include/kstrip.h") + &read("include/kstrip_f32.h")))
@@ -804,7 +803,6 @@ fn other_compilers_lay_structures_out_alike() {
     }
 }
 
-/// The library has the functions of the header, all of them and no other of that prefix.
 #[test]
 fn library_exports_what_the_header_declares() {
     let declared = declared();

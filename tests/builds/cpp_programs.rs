@@ -161,7 +161,6 @@ fn short_example(name: &str) -> Option<String> {
     compiler.map(|compiler| run_cpp(compiler, "c++17", &source))
 }
 
-/// A wheelset on real profiles runs back to the middle of the track.
 #[test]
 fn wheelset_runs_back_to_the_middle() {
     let Some(printed) = short_example("02_wheelset.cpp") else { return };

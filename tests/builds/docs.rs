@@ -17,7 +17,6 @@ pub struct Block {
     pub code: String,
 }
 
-/// All pages of the repository.
 fn pages() -> Vec<PathBuf> {
     fn below(folder: &Path, found: &mut Vec<PathBuf>) {
         for path in entries(folder) {
@@ -97,7 +96,6 @@ fn programs(language: &str) -> Vec<(PathBuf, String, String)> {
     found
 }
 
-/// A file name for the program of a page.
 fn program_name(page: &Path, extension: &str) -> PathBuf {
     let name =
         page.strip_prefix(root()).expect("inside").to_string_lossy().replace(['/', '\\', '.'], "_");
@@ -330,7 +328,6 @@ fn theory_has_every_equation_of_the_paper() {
     }
 }
 
-/// Functions, structures and constants of C that a page names are in the headers.
 #[test]
 fn pages_name_what_the_headers_have() {
     const CONSTANTS: [&str; 5] =
@@ -614,8 +611,6 @@ fn one_list_has_what_is_not_modelled() {
     }
 }
 
-/// Every picture stands on a page, and has a background of its own, so that it is readable on light
-/// and on dark pages.
 #[test]
 fn pictures_stand_on_pages_and_have_a_background() {
     let mut linked = BTreeSet::new();
@@ -645,7 +640,6 @@ fn pictures_stand_on_pages_and_have_a_background() {
     assert!(pictures > 25, "{pictures}");
 }
 
-/// The order of the warnings has all of them.
 #[test]
 fn every_warning_has_its_place() {
     let page = read("docs/reference/bad-input.md");
@@ -660,7 +654,6 @@ fn every_warning_has_its_place() {
     assert!(count > 15, "{count}");
 }
 
-/// Files that a page links or names in backticks are there.
 #[test]
 fn pages_name_files_that_exist() {
     const FOLDERS: [&str; 12] = [

@@ -31,7 +31,6 @@ fn allocations(work: impl FnOnce()) -> usize {
     ALLOCATIONS.with(Cell::get) - before
 }
 
-/// The counter counts.
 #[test]
 fn the_counter_sees_an_allocation() {
     assert!(allocations(|| drop(black_box(vec![1_u8; 100]))) > 0);
@@ -94,7 +93,6 @@ fn nothing_allocates() {
     assert_eq!(allocations(|| everything!(f32)), 0);
 }
 
-/// The C functions neither.
 #[test]
 fn c_functions_do_not_allocate() {
     use crate::names::*;

@@ -14,7 +14,6 @@ fn read(name: &str) -> String {
     std::fs::read_to_string(root().join(name)).expect(name)
 }
 
-/// A folder of this test's own.
 fn folder(name: &str) -> PathBuf {
     let folder = scratch().join(name);
     std::fs::create_dir_all(&folder).expect("scratch is writable");

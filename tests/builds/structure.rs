@@ -159,7 +159,6 @@ fn groups_of_paths_are_expanded() {
     assert_eq!(paths(code), expected);
 }
 
-/// The Rust files below a folder.
 pub fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     for path in entries(folder) {
         if path.is_dir() {

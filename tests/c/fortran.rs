@@ -175,7 +175,6 @@ fn function(header: &str, found: &Function) -> String {
     text + "      end function\n\n"
 }
 
-/// The whole module.
 pub fn module(header: &str) -> String {
     whole_module(header).lines().fold(String::new(), |text, line| text + &broken(line) + "\n")
 }

@@ -13,7 +13,6 @@ use std::sync::OnceLock;
 /// Warnings that every C and C++ file must be free of.
 pub const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
-/// The root of the package.
 pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }

@@ -224,7 +224,6 @@ fn read(folder: &str, of_case: fn(&Row, &mut Case), of_point: fn(&Row, &mut Case
     cases
 }
 
-/// The patches of profiles.
 pub fn profiles() -> Vec<Case> {
     let of_case = |row: &Row, case: &mut Case| {
         case.rolling_radius = number(row, "rolling_radius_mm") * 1e-3;

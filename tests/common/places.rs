@@ -12,7 +12,6 @@ pub const fn nowhere<F>() -> Outputs<F> {
     unsafe { std::mem::zeroed() }
 }
 
-/// No output of a batch.
 pub const fn no_batch<F>() -> BatchOutputs<F> {
     // SAFETY: pointers that are NULL, and strides of zero.
     unsafe { std::mem::zeroed() }
@@ -78,7 +77,6 @@ fn results_at<F>(
     BatchOutputs { status_detail, status_detail_stride, ..to }
 }
 
-/// Results of a batch as an array of structures.
 pub fn batch_results<F>(results: *mut Solution<F>) -> BatchOutputs<F> {
     let stride = size_of::<Solution<F>>() as isize;
     let member = |i: usize| results.cast::<F>().wrapping_add(i);

@@ -189,7 +189,6 @@ pub struct UnlikePair {
 }
 
 impl UnlikePair {
-    /// What a model has for the difference.
     pub fn difference(&self, model: Model) -> [f64; 2] {
         let options = options(model, StripCount::Sixteen);
         let force = |mismatch| {

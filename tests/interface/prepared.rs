@@ -147,7 +147,6 @@ fn a_mark_tells_the_model() {
     }
 }
 
-/// What was prepared in one precision is refused by the other.
 #[test]
 fn the_other_precision_is_refused() {
     let creepage = Creepage::<f32> { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };

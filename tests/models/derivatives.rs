@@ -94,7 +94,6 @@ fn check_models(
     assert!(skipped * 50 < 3 * points, "{skipped} of {} stencils met a breakpoint", 3 * points);
 }
 
-/// At rest the derivatives are the linear derivatives and all finite, also in single precision.
 #[test]
 fn derivatives_at_rest_are_the_linear_slopes() {
     use std::f64::consts::PI;

@@ -200,7 +200,6 @@ fn points_that_do_not_tell_are_named() {
     assert_eq!(fit(&low, which, start).warning, Warning::None);
 }
 
-/// The warning begins where the standard error of a parameter is half of it.
 #[test]
 fn undetermined_begins_at_half_of_a_parameter() {
     let which = [true, false, false, true, false, false];
@@ -306,7 +305,6 @@ fn polachs_sets_are_met() {
     assert!(mean < 0.018 && high < 0.037 && worst < 0.05, "{mean} {high} {worst}");
 }
 
-/// Friction from one force, and the creepage for it, under the law that made it.
 #[test]
 fn friction_is_estimated_under_the_law() {
     let mut random = Random::new(312);
@@ -371,7 +369,6 @@ fn a_slope_factor_is_not_taken_for_low_friction() {
     }
 }
 
-/// Errors have the units of their parameters: that of a layer is a small share of the layer.
 #[test]
 fn the_error_of_a_layer_is_a_share_of_it() {
     let truth = SlipFriction { layer: 1.2e-13, ..START };

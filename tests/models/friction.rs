@@ -72,7 +72,6 @@ fn constant_friction_is_the_plain_solution_to_the_bit() {
     }
 }
 
-/// The friction is that of the slip that it leaves.
 #[test]
 fn friction_agrees_with_the_slip() {
     let mut random = Random::new(72);

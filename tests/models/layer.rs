@@ -347,7 +347,6 @@ fn derivatives_behind_a_layer_are_exact() {
     assert!(compared > 12_000, "{compared}");
 }
 
-/// The strips of an ellipse as a patch answer as the ellipse does.
 #[test]
 fn a_patch_behind_a_layer_is_the_ellipse() {
     let mut random = Random::new(305);
@@ -584,8 +583,6 @@ fn fields_behind_a_layer_add_up_to_the_forces() {
     }
 }
 
-/// On their centre lines the strips of an ellipse have the field of the ellipse, behind a layer and
-/// under falling friction, and a layer that vanishes leaves the clean field.
 #[test]
 fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
     let mut random = Random::new(310);

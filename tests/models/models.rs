@@ -202,7 +202,6 @@ proptest! {
         }
     }
 
-    /// Single precision is the same model.
     #[test]
     fn single_precision((g, nu) in shapes(1.0), v in creepages()) {
         for options in fitted() {

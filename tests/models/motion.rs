@@ -325,7 +325,6 @@ fn a_law_of_zeros_behaves_as_written() {
     }
 }
 
-/// Nothing touches, nothing is carried; the loop goes on.
 #[test]
 fn a_lost_contact_carries_nothing_at_any_speed() {
     let mut random = Random::new(206);
@@ -406,7 +405,6 @@ fn at_rest_the_contact_is_a_damper_of_linear_theory() {
     }
 }
 
-/// Single precision follows.
 #[test]
 fn single_precision_follows() {
     let mut random = Random::new(207);

@@ -287,7 +287,6 @@ fn a_contaminated_band_carries_less() {
     }
 }
 
-/// A strip without friction or without load carries nothing and disturbs nobody.
 #[test]
 fn strips_without_friction_or_load() {
     let mut random = Random::new(407);
@@ -392,7 +391,6 @@ fn fields_integrate_to_the_forces() {
     }
 }
 
-/// On its centre lines the field of elliptic strips is that of the ellipse.
 #[test]
 fn fields_of_elliptic_strips() {
     let c = contact(1.3, 0.28);
@@ -418,7 +416,6 @@ fn fields_of_elliptic_strips() {
     }
 }
 
-/// In single precision the same to its rounding.
 #[test]
 fn single_precision() {
     let mut random = Random::new(410);

@@ -217,7 +217,6 @@ fn limits_are_answered() {
     }
 }
 
-/// A greasy half under falling friction: each strip has the same share of its own friction.
 #[test]
 fn friction_of_each_strip_falls_alike() {
     let c = contact(1.0, 0.28);

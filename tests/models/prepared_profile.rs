@@ -217,7 +217,6 @@ fn a_profile_of_any_size_has_the_same_shape() {
     }
 }
 
-/// The average of many points lies nearer to the profile than they do.
 #[test]
 fn many_points_are_averaged() {
     let profile = dense(&profile("uic60"), 50);
@@ -282,7 +281,6 @@ fn chords_are_equal_for_every_step() {
     assert!(far < 0.5 * surface.step, "{far}");
 }
 
-/// Points in no order are refused, and the surface is untouched. Points that coincide are not.
 #[test]
 fn only_points_without_order_are_refused() {
     let mut random = Random::new(9);

@@ -255,7 +255,6 @@ fn profiles_end_where_they_end() {
     }
 }
 
-/// Single precision to its rounding.
 #[test]
 fn profiles_in_single_precision() {
     for case in profiles() {
@@ -579,7 +578,6 @@ fn real_patches_are_those_of_contact() {
     assert!(moment[1] < 0.05, "{moment:?}");
 }
 
-/// Where the profile has rolling radii of its own, that of the contact is not used.
 #[test]
 fn radii_of_the_profile_replace_that_of_the_contact() {
     let (y, distance) = parabola(0.3, 10e-3, 20);

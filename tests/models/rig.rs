@@ -73,7 +73,6 @@ fn friction_is_found_again() {
     assert!(found > 1_000 && several * 10 < found);
 }
 
-/// The sensitivity is the derivative of the answer.
 #[test]
 fn sensitivity_is_the_derivative() {
     let c = contact(1.0, 0.28);
@@ -213,7 +212,6 @@ fn forces_out_of_reach_are_refused() {
     }
 }
 
-/// Both inverses in single precision.
 #[test]
 fn single_precision_round_trips() {
     let mut random = Random::new(83);

@@ -89,8 +89,6 @@ fn fields_of_lobes_are_those_of_each_alone() {
     }
 }
 
-/// TOTAL in single precision is that in double, from partial slip to any creepage that the type
-/// has.
 #[test]
 fn total_in_single_precision_is_right_at_any_creepage() {
     let c = contact(1.5, 0.28);

@@ -39,7 +39,6 @@ fn short_paths_join_the_long_one() {
     println!("worst {worst:e}");
 }
 
-/// Single precision joins as well.
 #[test]
 fn short_paths_join_in_single_precision() {
     let mut random = Random::new(93);

@@ -94,7 +94,6 @@ fn derivatives_are_those_of_differences() {
     }
 }
 
-/// A left wheel is a right one in the mirror; friction dissipates what creep forces take.
 #[test]
 fn left_is_the_mirror_of_right_and_friction_dissipates() {
     let (right, left) = (contacts(3e-3, false), contacts(3e-3, true));
@@ -121,7 +120,6 @@ fn left_is_the_mirror_of_right_and_friction_dissipates() {
     }
 }
 
-/// A wheel rolls backward as its mirror image in x, which yaws the other way, rolls forward.
 #[test]
 fn backward_rolling_is_that_of_the_mirror_image() {
     let (wheel, image) = (contacts(6e-3, false), contacts(-6e-3, false));
@@ -145,7 +143,6 @@ fn off(one: &Wrench<f64>, two: &Wrench<f64>) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1]) / (0.3 * one.normal_force)
 }
 
-/// The share of own slip fades to the forces of a plane contact, and changes those of this contact.
 #[test]
 fn a_share_of_own_slip_that_fades_leaves_a_plane_contact() {
     let with = |share: f64| {

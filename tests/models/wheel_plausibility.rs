@@ -207,7 +207,6 @@ fn coarse_profiles_are_smoothed_or_told() {
     assert_eq!(warnings, [Warning::None, Warning::ProfileCoarse]);
 }
 
-/// A wheel is not supported from a peak pressure of a twentieth of the shear modulus on.
 #[test]
 fn support_ends_at_a_twentieth_of_the_shear_modulus() {
     let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));

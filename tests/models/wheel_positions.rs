@@ -134,7 +134,6 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
     }
 }
 
-/// Zones of all contacts.
 fn zones(memory: &Workspace<f64>) -> usize {
     let of_contact = |contact: &WheelContact<f64>| {
         let StoredPatch { strips, count, .. } = &contact.patch;

@@ -316,7 +316,6 @@ fn a_gap_without_a_step_has_that_of_its_points() {
     assert_eq!(found(gap), Err(Error::NotFinite));
 }
 
-/// A left wheel is a right one in the mirror, to the bit.
 #[test]
 fn left_is_the_mirror_of_right() {
     let mut stand = Stand::new_profiles();
@@ -561,8 +560,6 @@ fn rest_reversal_and_lift_off_are_continuous() {
     }
 }
 
-/// A patch rolls backward as its mirror image rolls forward, also where yaw has put its strips
-/// askew.
 #[test]
 fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
     let mut stand = Stand::new_profiles();

@@ -22,7 +22,6 @@ struct Stand {
 
 /// Half the distance of the running circles: half of 1360 mm between the flange backs, and 70 mm.
 const HALF: f64 = 0.75;
-/// Half the gauge.
 const HALF_GAUGE: f64 = 0.7175;
 const RADIUS: f64 = 0.46;
 const LOAD: WheelsetLoads<f64> = WheelsetLoads { vertical: 100e3, roll: 0.0, pitch: 0.0 };

@@ -262,7 +262,6 @@ fn errors<F: Float>(inputs: &Inputs, found: Answer<F>, exact: &Answer<Precise>) 
     [of_force, of_moment, of_slopes]
 }
 
-/// Both precisions.
 fn both(road: Road, model: Model, inputs: &Inputs) -> [[f64; 3]; 2] {
     fn solved<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Answer<F> {
         answer(road, model, inputs)

@@ -78,7 +78,6 @@ fn without_load_or_approach_contact_is_lost() {
     assert!(Contact { normal_force: -1.0, ..touching }.is_lost());
 }
 
-/// Single precision follows to its rounding.
 #[test]
 fn single_precision_follows() {
     let flat = f32::INFINITY;

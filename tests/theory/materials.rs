@@ -62,7 +62,6 @@ proptest! {
     }
 }
 
-/// Two like bodies are their own combination, to the last bit.
 #[test]
 fn like_bodies_combine_to_themselves_without_mismatch() {
     for (g, nu) in [STEEL, BRASS, ALUMINIUM, GLASS, (1.0, 0.0), (3e-3, 0.5), (0.1, 0.1)] {

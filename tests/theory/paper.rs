@@ -6,7 +6,6 @@ fn field(c: &Contact<f64>, xi: f64, eta: f64, psi: f64, kind: Model) -> Field<f6
     Field::new(c, &creepage(c, xi, eta, psi), &sixteen(kind)).unwrap()
 }
 
-/// From slip to traction, -π to π.
 fn angle_to_slip(point: &FieldPoint<f64>) -> f64 {
     (point.slip_x * point.traction_y - point.slip_y * point.traction_x)
         .atan2(point.slip_x * point.traction_x + point.slip_y * point.traction_y)

@@ -103,7 +103,6 @@ fn ordinary_contacts_are_not_warned_of() {
     }
 }
 
-/// Every one of them in a wrong unit, by the warning that names the quantity.
 #[test]
 fn wrong_units_are_named() {
     for case in &ORDINARY {

@@ -4,7 +4,6 @@ use super::super::*;
 use super::contacts::{contact, creepage, friction_of};
 use super::*;
 
-/// Contacts at most.
 const MOST: usize = 3;
 
 struct Scene {

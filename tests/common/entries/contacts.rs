@@ -248,7 +248,6 @@ impl All {
         self.given.has(3).then(|| written(&self.friction))
     }
 
-    /// The strips, all of them written.
     pub fn strips(&self) -> Option<Vec<kstrip_strip>> {
         let count = self.given.has(4).then(|| written(&self.count) as usize)?;
         assert!(count <= self.capacity && all_untouched(&self.strips[count..]));
@@ -292,7 +291,6 @@ fn evaluate(bytes: &mut Bytes) {
     }
 }
 
-/// Prepared, the same bits.
 fn prepared(bytes: &mut Bytes) {
     let (contact, k) = (contact(bytes), creepage(bytes));
     let options = bytes.options();
