@@ -263,9 +263,7 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
     let source = scratch().join("layouts.cpp");
     std::fs::write(&source, program).expect("scratch is writable");
     for compiler in compilers {
-        for standard in STANDARDS {
-            assert_eq!(run_cpp(compiler, standard, &source), "1\n", "default options");
-        }
+        assert_eq!(run_cpp(compiler, "c++17", &source), "1\n", "default options");
     }
 }
 
