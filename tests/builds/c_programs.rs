@@ -14,15 +14,6 @@ use std::process::Command;
 
 /// The contact of examples 02 to 05 and 07.
 const TOTAL: Options = Options { model: Model::Total, strips: StripCount::Sixteen };
-const CONTACT: Contact<f64> = Contact {
-    a: 6e-3,
-    b: 4.5e-3,
-    normal_force: 80e3,
-    shear_modulus: 82e9,
-    poisson_ratio: 0.28,
-    friction: 0.3,
-    mismatch: 0.0,
-};
 
 const FRICTION_BOUND: f64 = 24e3;
 
@@ -70,7 +61,7 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
     assert_printed(pressure[1], approach * 1e6, 6, "approach");
 
     // The table, against the Rust interface with the default options
-    let contact = Contact { a, b, ..CONTACT };
+    let contact = Contact { a, b, ..C0 };
     let mut table = text.lines().skip_while(|line| !line.contains("long. [%]")).skip(1);
     let mut forces = BTreeMap::new();
     for row in table.by_ref().take_while(|line| !line.is_empty()).map(numbers) {
@@ -156,7 +147,7 @@ fn creep_curves_hold_every_model() {
         let model = Model::from_number(number).expect("a model");
         let motion = creep(value(3), value(4), value(5));
         let options = Options { model, strips: StripCount::default() };
-        let exact = solved(&CONTACT, &motion, &options);
+        let exact = solved(&C0, &motion, &options);
         // Ten digits are printed; the creepage in the table is rounded to ten as well.
         let columns =
             [exact.fx, exact.fy, exact.mz, exact.power, exact.adhesion].map(|v| (v, v.abs()));
@@ -181,11 +172,11 @@ fn traction_field_adds_up_to_the_forces() {
     let text = run_c("c_examples/03_traction_field.c");
     let creepage = creep(0.0005, 0.001, 0.3);
     let options = Options { model: Model::Strip1967, strips: StripCount::ThirtyTwo };
-    let exact = solved(&CONTACT, &creepage, &options);
+    let exact = solved(&C0, &creepage, &options);
 
     // Strips, one by one and summed
     let mut strips: Vec<StripResult<f64>> = Vec::new();
-    forces::strips(&CONTACT, &creepage, &options, &mut |strip| strips.push(strip)).expect("strips");
+    forces::strips(&C0, &creepage, &options, &mut |strip| strips.push(strip)).expect("strips");
     let printed: Vec<Vec<f64>> =
         text.lines().skip(1).take_while(|line| !line.is_empty()).map(numbers).collect();
     assert_eq!(printed.len(), strips.len());
@@ -215,14 +206,14 @@ fn traction_field_adds_up_to_the_forces() {
     }
     // The square grid misses part of the rim: its error in the load, 3e-5, is that of the forces
     // too.
-    assert_close(integral[0], CONTACT.normal_force, 5e-5 * CONTACT.normal_force, "∫ Z");
+    assert_close(integral[0], C0.normal_force, 5e-5 * C0.normal_force, "∫ Z");
     assert_close(integral[1], exact.fx, 5e-5 * FRICTION_BOUND, "∫ X");
     assert_close(integral[2], exact.fy, 5e-5 * FRICTION_BOUND, "∫ Y");
-    assert_close(integral[3], exact.mz, 5e-5 * FRICTION_BOUND * CONTACT.a, "∫ (x Y − y X)");
+    assert_close(integral[3], exact.mz, 5e-5 * FRICTION_BOUND * C0.a, "∫ (x Y − y X)");
     assert_close(integral[4], exact.power, 2e-4 * exact.power, "∫ P");
 
     // Points of the field
-    let field = Field::new(&CONTACT, &creepage, &options).expect("a field");
+    let field = Field::new(&C0, &creepage, &options).expect("a field");
     let mut seen = BTreeMap::new();
     for line in text.lines().filter(|line| line.starts_with("point")) {
         let row = numbers(line);
@@ -263,7 +254,7 @@ fn velocities_become_opposite_forces_on_the_two_bodies() {
     assert_printed(printed[1], creepage.lateral, 9, "lateral creepage");
     assert_printed(printed[2], creepage.spin, 9, "spin");
 
-    let forces = solved(&CONTACT, &creepage, &TOTAL);
+    let forces = solved(&C0, &creepage, &TOTAL);
     let rail = line_of(&text, "force on the rail");
     let wheel = line_of(&text, "force on the wheel");
     let wanted = [forces.fx, forces.fy * tilt.cos(), forces.fy * tilt.sin(), forces.mz];
@@ -446,8 +437,8 @@ fn row_size(row: &[f64]) -> f64 {
 fn wheelset_growth(speed: f64) -> f64 {
     let (mass, inertia, lateral, yaw) = (1800.0, 1100.0, 400e3, 3e6);
     let (radius, half_gauge, conicity) = (0.46, 0.75, 0.1);
-    let linear = kstrip::linear::LinearCoefficients::at(CONTACT.a / CONTACT.b, 0.28);
-    let Contact { a, b, shear_modulus: g, .. } = CONTACT;
+    let linear = kstrip::linear::LinearCoefficients::at(C0.a / C0.b, 0.28);
+    let Contact { a, b, shear_modulus: g, .. } = C0;
     let f11 = g * a * b * linear.c11;
     let f22 = g * a * b * linear.c22;
     let f23 = g * (a * b).powf(1.5) * linear.c23;
@@ -524,8 +515,7 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     for row in &curve {
         let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };
         let motion = creep(-slip, 0.0, 0.0);
-        let found =
-            differentiate_with_law(&CONTACT, &motion, Some(&law), &options).expect("forces");
+        let found = differentiate_with_law(&C0, &motion, Some(&law), &options).expect("forces");
         let by_slip = found.derivatives.jacobian[0][0];
         // Seven digits of the slip are printed
         let allowed = 1e-6 * slip * by_slip.abs() + 1e-4;
@@ -533,7 +523,7 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
         assert_close(friction, found.friction, 1e-7, "friction");
         assert_close(slope, by_slip, 1e-4 * 5e6, "slope");
         // Eight digits of the friction are printed
-        assert!(force <= friction * CONTACT.normal_force * (1.0 + 1e-7));
+        assert!(force <= friction * C0.normal_force * (1.0 + 1e-7));
     }
     let turns = curve.windows(2).filter(|rows| (rows[1][2] > 0.0) != (rows[0][2] > 0.0)).count();
     assert_eq!(turns, 1, "one maximum");
@@ -588,8 +578,7 @@ fn a_measured_curve_is_fitted() {
         slide_factor: member("slide factor"),
         layer: 0.0,
     };
-    let contact =
-        Contact { a: 6.304e-3, b: 12.61e-3, normal_force: 106.7e3, friction: 0.33, ..CONTACT };
+    let contact = Contact { a: 6.304e-3, b: 12.61e-3, normal_force: 106.7e3, friction: 0.33, ..C0 };
     let options = Options { model: Model::Total, ..Options::default() };
     let curves = rows("curves:");
     assert_eq!(curves.len(), 30);
@@ -603,10 +592,10 @@ fn a_measured_curve_is_fitted() {
         assert_printed(clean, force(None), 5, "clean bodies");
         // Four digits of the law are printed
         assert_close(fitted, force(Some(&law)), 2e-4, "the fitted law");
-        // Clean bodies need a quarter of the creepage at the start. CONTACT's layer and falling
+        // Clean bodies need a quarter of the creepage at the start. C0's layer and falling
         // friction were chosen for these points too.
         assert!(clean > by_contact - 1e-3, "{row:?}");
-        assert_close(fitted, by_contact, 0.07, "CONTACT");
+        assert_close(fitted, by_contact, 0.07, "C0");
     }
 }
 
@@ -635,17 +624,12 @@ fn swept_cell(cell: i32, directions: i32) -> [f64; 8] {
     let psi = 3.0 * share(cell / 20 % 20, 20);
     let size = 10_f64.powf(3.0 * share(cell / 400, 25) - 2.0);
     let (a, b) = (5e-3 * shape.sqrt(), 5e-3 / shape.sqrt());
-    let contact = Contact { a, b, ..CONTACT };
+    let contact = Contact { a, b, ..C0 };
     let mut row = [shape, psi, size, 0.0, 1.0, 0.0, 0.0, 0.0];
     for i in 0..directions {
         let (sine, cosine) = (2.0 * PI * f64::from(i) / f64::from(directions)).sin_cos();
-        let parameters = Parameters {
-            xi: size * cosine,
-            eta: size * sine,
-            psi,
-            poisson_ratio: contact.poisson_ratio,
-            axis_ratio: a / b,
-        };
+        let (xi, eta, poisson_ratio) = (size * cosine, size * sine, contact.poisson_ratio);
+        let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio: a / b };
         let creepage = parameters.creepage(&contact);
         let f = solved(&contact, &creepage, &Options::default());
         let force = f.fx.hypot(f.fy) / FRICTION_BOUND;
@@ -853,7 +837,7 @@ fn threads_and_rust_see_the_same_bits() {
         let contact = Contact {
             b: f64::from(1 + i % 7) / 700.0,
             poisson_ratio: f64::from(i % 6) / 10.0,
-            ..CONTACT
+            ..C0
         };
         let creepage = creep(
             f64::from(i % 16 - 7) / 4000.0,

@@ -404,85 +404,64 @@ fn files_below(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
 /// have to read twice.
 #[test]
 fn prose_has_plain_words() {
-    const PHRASES: [(&str, &str); 60] = [
-        ("erivative by ", "derivative with respect to"),
-        ("erivatives by ", "derivatives with respect to"),
-        ("exact by ", "exact derivatives with respect to"),
-        ("over the creepage", "against creepage"),
-        ("over creepage", "against creepage"),
-        ("over the spin", "against spin"),
-        ("over spin", "against spin"),
-        ("over the shift", "against shift"),
-        ("over the lateral shift", "against lateral shift"),
-        ("over its lateral shift", "against its lateral shift"),
-        ("over a lateral shift", "against lateral shift"),
-        ("over the cost", "against the cost"),
-        ("over cost", "against cost"),
-        (" over μ N", "divided by μ N"),
-        (" over `μ N`", "divided by μ N"),
-        (" over mu N", "divided by mu N"),
-        ("N m over ", "N m per"),
-        ("a over b", "a divided by b"),
-        ("over that origin", "above that origin"),
-        ("over the rail's origin", "above the rail's origin"),
-        (" / 95 %", "95th percentile"),
-        ("mean and 95 %", "95th percentile"),
-        ("makes of it", "name the thing"),
-        ("make of it", "name the thing"),
-        ("what is found", "name the thing"),
-        ("what was found", "name the thing"),
-        ("hat belongs to", "name the thing"),
-        (" by what ", "name it"),
-        (" of what ", "name it"),
-        ("in the place of", "instead of"),
-        ("gravest", "most serious"),
-        ("dearest", "most expensive"),
-        ("wanted", "requested"),
-        ("and the like", "name them"),
-        ("the like.", "name them"),
-        ("no ellipse", "non-elliptic"),
-        (" sees ", "uses"),
-        (" seen by", "used by"),
-        (" see the creepage", "have"),
-        (" knows ", "uses"),
-        (" know no", "have no"),
-        (" asks ", "takes, calls, requests"),
-        ("it answers", "it returns"),
-        (" answered", "returned"),
-        ("the answer ", "the result, the forces"),
-        ("turned back", "sign restored"),
-        ("turns back", "sign restored"),
-        ("judged", "classified"),
-        ("it judges", "classified"),
-        ("looked at", "checked"),
-        ("a look at", "a check"),
-        (" lest ", "so that .. not"),
-        ("hoever", "a caller that"),
-        ("thereby", "by this"),
-        ("exact slopes", "exact derivatives"),
-        ("slopes at rest", "derivatives at rest"),
-        ("linear slopes", "linear derivatives"),
-        ("worst slope", "worst derivative"),
-        ("slopes of the force", "derivatives of the force"),
-        ("slopes with respect", "derivatives with respect"),
+    // what to write, and what not
+    const PHRASES: [(&str, &[&str]); 46] = [
+        ("derivative with respect to", &["erivative by "]),
+        ("derivatives with respect to", &["erivatives by "]),
+        ("exact derivatives with respect to", &["exact by "]),
+        ("against creepage", &["over the creepage", "over creepage"]),
+        ("against spin", &["over the spin", "over spin"]),
+        ("against shift", &["over the shift"]),
+        ("against lateral shift", &["over the lateral shift", "over a lateral shift"]),
+        ("against its lateral shift", &["over its lateral shift"]),
+        ("against the cost", &["over the cost"]),
+        ("against cost", &["over cost"]),
+        ("divided by μ N", &[" over μ N", " over `μ N`"]),
+        ("divided by mu N", &[" over mu N"]),
+        ("N m per", &["N m over "]),
+        ("a divided by b", &["a over b"]),
+        ("above that origin", &["over that origin"]),
+        ("above the rail's origin", &["over the rail's origin"]),
+        ("95th percentile", &[" / 95 %", "mean and 95 %"]),
+        (
+            "name the thing",
+            &["makes of it", "make of it", "what is found", "what was found", "hat belongs to"],
+        ),
+        ("name it", &[" by what ", " of what "]),
+        ("instead of", &["in the place of"]),
+        ("most serious", &["gravest"]),
+        ("most expensive", &["dearest"]),
+        ("requested", &["wanted"]),
+        ("name them", &["and the like", "the like."]),
+        ("non-elliptic", &["no ellipse"]),
+        ("uses", &[" sees ", " knows "]),
+        ("used by", &[" seen by"]),
+        ("have", &[" see the creepage"]),
+        ("have no", &[" know no"]),
+        ("takes, calls, requests", &[" asks "]),
+        ("it returns", &["it answers"]),
+        ("returned", &[" answered"]),
+        ("the result, the forces", &["the answer "]),
+        ("sign restored", &["turned back", "turns back"]),
+        ("classified", &["judged", "it judges"]),
+        ("checked", &["looked at"]),
+        ("a check", &["a look at"]),
+        ("so that .. not", &[" lest "]),
+        ("a caller that", &["hoever"]),
+        ("by this", &["thereby"]),
+        ("exact derivatives", &["exact slopes"]),
+        ("derivatives at rest", &["slopes at rest"]),
+        ("linear derivatives", &["linear slopes"]),
+        ("worst derivative", &["worst slope"]),
+        ("derivatives of the force", &["slopes of the force"]),
+        ("derivatives with respect", &["slopes with respect"]),
     ];
     const PROGRAMS: [&str; 11] =
         ["rs", "h", "hpp", "c", "cpp", "py", "f90", "m", "js", "html", "txt"];
     let mut files = pages();
-    for folder in [
-        "src",
-        "include",
-        "web",
-        "reports",
-        "examples",
-        "c_examples",
-        "cpp_examples",
-        "benches",
-        "fit",
-        "fuzz",
-        "bindings",
-        "hosts",
-    ] {
+    const PLACES: &str = "src include web reports examples c_examples cpp_examples \
+        benches fit fuzz bindings hosts";
+    for folder in PLACES.split(' ') {
         files_below(&root().join(folder), &PROGRAMS, &mut files);
     }
     files_below(&root().join("docs"), &["svg"], &mut files);
@@ -497,8 +476,9 @@ fn prose_has_plain_words() {
         let around = |at: usize| -> String {
             text[..at].chars().rev().take(40).collect::<Vec<_>>().into_iter().rev().collect()
         };
-        for (phrase, better) in PHRASES {
-            for (at, _) in text.match_indices(phrase) {
+        for (better, phrase) in PHRASES.iter().flat_map(|(b, all)| all.iter().map(move |p| (b, p)))
+        {
+            for (at, _) in text.match_indices(*phrase) {
                 faults.push(format!("{name}: .. {}[{phrase}]: {better}", around(at)));
             }
         }
@@ -572,18 +552,10 @@ fn one_command_draws_every_picture() {
 /// them in this order.
 #[test]
 fn the_pages_of_a_reader_have_an_order() {
-    const ORDER: [&str; 9] = [
-        "tour",
-        "models",
-        "wheel-rail",
-        "wheelset",
-        "integration",
-        "adhesion",
-        "hosts",
-        "cookbook",
-        "cookbook-track",
-    ];
-    for pair in ORDER.windows(2) {
+    const PAGES: &str =
+        "tour models wheel-rail wheelset integration adhesion hosts cookbook cookbook-track";
+    let order: Vec<&str> = PAGES.split(' ').collect();
+    for pair in order.windows(2) {
         let text = read(format!("docs/{}.md", pair[0]));
         let last = text.lines().next_back().expect("a line");
         let next = format!("]({}.md).", pair[1]);
@@ -591,7 +563,8 @@ fn the_pages_of_a_reader_have_an_order() {
     }
     let readme = read("README.md");
     let list = readme.split("## Where next").nth(1).expect("the list of pages");
-    let places = ORDER.map(|page| list.find(&format!("](docs/{page}.md)")).expect(page));
+    let place = |page: &&str| list.find(&format!("](docs/{page}.md)")).expect(page);
+    let places: Vec<usize> = order.iter().map(place).collect();
     assert!(places.is_sorted(), "{places:?}");
 }
 
@@ -656,20 +629,8 @@ fn every_warning_has_its_place() {
 
 #[test]
 fn pages_name_files_that_exist() {
-    const FOLDERS: [&str; 12] = [
-        "src/",
-        "tests/",
-        "docs/",
-        "fit/",
-        "examples/",
-        "reports/",
-        "scripts/",
-        "benches/",
-        "c_examples/",
-        "bindings/",
-        "hosts/",
-        "web/",
-    ];
+    const FOLDERS: &str = "src/ tests/ docs/ fit/ examples/ reports/ scripts/ \
+        benches/ c_examples/ bindings/ hosts/ web/";
     let (mut links, mut files) = (0, 0);
     for page in pages() {
         let text = read(&page);
@@ -683,7 +644,8 @@ fn pages_name_files_that_exist() {
         }
         for name in names(&page) {
             let plain = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
-            if FOLDERS.iter().any(|folder| name.starts_with(folder)) && name.chars().all(plain) {
+            if FOLDERS.split(' ').any(|folder| name.starts_with(folder)) && name.chars().all(plain)
+            {
                 assert!(root().join(&name).exists(), "{}: {name}", page.display());
                 files += 1;
             }

@@ -6,22 +6,8 @@ use crate::header::{Function, Structure, Variable, declared};
 const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
 
 /// Pointers by these names are arrays; other pointers are one object.
-const ARRAYS: [&str; 14] = [
-    "x",
-    "y",
-    "z",
-    "contacts",
-    "distance",
-    "points",
-    "strips",
-    "coefficients",
-    "weight",
-    "shifts",
-    "differences",
-    "amplitudes",
-    "conicities",
-    "wave_lengths",
-];
+const ARRAYS: &str = "x y z contacts distance points strips \
+    coefficients weight shifts differences amplitudes conicities wave_lengths";
 
 const HEAD: &str = "\
 ! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.
@@ -163,7 +149,8 @@ fn function(header: &str, found: &Function) -> String {
             Some((target, written)) => {
                 let intent = if written { "inout" } else { "in" };
                 let many = names.contains(&"statuses") && !FOR_ALL.contains(&name.as_str());
-                let array = if many || ARRAYS.contains(&name.as_str()) { "(*)" } else { "" };
+                let array =
+                    if many || ARRAYS.split(' ').any(|own| own == name) { "(*)" } else { "" };
                 let optional = if may_be_null(argument) { ", optional" } else { "" };
                 format!(
                     "         {}, intent({intent}){optional} :: {name}{array}\n",

@@ -7,14 +7,6 @@
 use crate::prelude::*;
 use kstrip::forces::FieldStrip;
 
-pub const COUNTS: [StripCount; 5] = [
-    StripCount::Four,
-    StripCount::Eight,
-    StripCount::Sixteen,
-    StripCount::ThirtyTwo,
-    StripCount::SixtyFour,
-];
-
 pub const MODELS: [Model; 2] = [Model::Strip1967, Model::Strip1967Continuous];
 
 pub fn options(model: Model, strips: StripCount) -> Options {

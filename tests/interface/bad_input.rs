@@ -256,16 +256,8 @@ const OUTPUTS_OF: [&str; 3] = ["kstrip_outputs", "kstrip_motion_outputs", "kstri
 const ELEMENTS: usize = 4;
 const OUTPUTS: usize = 256;
 /// Structures too large for as many, and how many there are then.
-const LARGE: [&str; 8] = [
-    "surface",
-    "gap",
-    "wheel_contact",
-    "wheel_workspace",
-    "patch",
-    "wheelset_workspace",
-    "wheelset_derivatives",
-    "wheelset_by_position",
-];
+const LARGE: &str = "surface gap wheel_contact wheel_workspace patch \
+    wheelset_workspace wheelset_derivatives wheelset_by_position";
 const FEW: usize = 6;
 
 fn writes_through_places(function: &Function) -> bool {
@@ -306,7 +298,7 @@ fn caller(
         let Variable { kind, name, .. } = argument;
         match argument.target() {
             Some((target, true)) => {
-                let large = LARGE.iter().any(|large| base(target) == format!("kstrip_{large}"));
+                let large = LARGE.split(' ').any(|large| base(target) == format!("kstrip_{large}"));
                 let size = if large { FEW } else { OUTPUTS };
                 text += &format!("    static {target} {name}[{size}];\n");
                 text += &format!("    memset({name}, POISON, sizeof {name});\n");
@@ -355,15 +347,10 @@ fn caller(
             Some((target, _)) => match case.argument.split_once('.') {
                 Some((_, member)) => {
                     // Options are one for all contacts.
-                    let one = [
-                        "kstrip_options",
-                        "kstrip_batch_inputs",
-                        "kstrip_batch_outputs",
-                        "kstrip_outputs",
-                        "kstrip_wheelset",
-                        "kstrip_track",
-                    ];
-                    let element = usize::from(many && !one.contains(&base(target)));
+                    let one = "options batch_inputs batch_outputs outputs wheelset track";
+                    let element = usize::from(
+                        many && !one.split(' ').any(|own| base(target) == format!("kstrip_{own}")),
+                    );
                     format!("{name}[{element}].{member} = {value}")
                 }
                 None => format!("{} = {value}", case.argument),

@@ -83,11 +83,12 @@ const HARD: [f64; 24] = [
     1e100,
     1e300,
     f64::MAX,
-    f64::INFINITY,
+    INFINITE,
     f64::NAN,
     -1.0,
     -1e300,
 ];
+const INFINITE: f64 = f64::INFINITY;
 
 /// A contact with its creepage; usual, unusual, or with one to nine numbers that are hard.
 fn any_kind(random: &mut Random, kind: usize) -> [f64; 10] {

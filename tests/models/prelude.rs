@@ -10,6 +10,6 @@ pub(crate) use crate::patches::{Full, irregular};
 pub(crate) use crate::random::Random;
 pub(crate) use crate::single::single_motion;
 pub(crate) use crate::theory;
-pub(crate) use crate::theory::{COUNTS, MODELS, contact, creepage, options};
+pub(crate) use crate::theory::{MODELS, contact, creepage, options};
 pub(crate) use crate::wheel_rail::{ROLLING, Stand, difference, profile};
 pub(crate) use shared::*;

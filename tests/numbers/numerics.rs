@@ -69,13 +69,8 @@ fn errors<F: Float>(row: &Row) -> Vec<f64> {
                 .collect()
         }
         "force" => {
-            let parameters = Parameters {
-                xi: input(0),
-                eta: input(1),
-                psi: input(2),
-                poisson_ratio: input(3),
-                axis_ratio: input(4),
-            };
+            let [xi, eta, psi, poisson_ratio, axis_ratio] = [0, 1, 2, 3, 4].map(input);
+            let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
             let Totals { fx, fy, .. } = strip_1967::totals(&parameters, SlidingRule::RigidSlip);
             let size = r0.0.hypot(r1.0);
             vec![ulps(fx.to_f64(), r0, size, epsilon), ulps(fy.to_f64(), r1, size, epsilon)]
@@ -92,13 +87,8 @@ fn errors<F: Float>(row: &Row) -> Vec<f64> {
                 friction: F::one(),
                 mismatch: F::zero(),
             };
-            let parameters = Parameters {
-                xi: input(0),
-                eta: input(1),
-                psi: input(2),
-                poisson_ratio: input(3),
-                axis_ratio: F::of(g),
-            };
+            let [xi, eta, psi, poisson_ratio] = [0, 1, 2, 3].map(input);
+            let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio: F::of(g) };
             let creepage = parameters.creepage(&contact);
             let options = Options { model: Model::Strip1967, strips: StripCount::SixtyFour };
             let (_, j) = solve_jacobian(&contact, &creepage, &options).expect("derivatives");

@@ -45,13 +45,10 @@ fn inside_the_theory(random: &mut Random, i: usize) -> Law {
 
 /// `F_x, F_y, M_z`, stick area.
 fn totals<F: Float>(law: &Law) -> [f64; 4] {
-    let parameters = Parameters {
-        xi: F::of(law.xi),
-        eta: F::of(law.eta),
-        psi: F::of(law.psi),
-        poisson_ratio: F::of(law.poisson_ratio),
-        axis_ratio: F::of(law.axis_ratio),
-    };
+    let Law { xi, eta, psi, poisson_ratio, axis_ratio, .. } = *law;
+    let [xi, eta, psi, poisson_ratio, axis_ratio] =
+        [xi, eta, psi, poisson_ratio, axis_ratio].map(F::of);
+    let parameters = Parameters { xi, eta, psi, poisson_ratio, axis_ratio };
     let rule = if law.continuous { SlidingRule::Continuous } else { SlidingRule::RigidSlip };
     let Totals { fx, fy, mz, stick } = strip_1967::totals(&parameters, rule);
     [fx, fy, mz, stick].map(F::to_f64)

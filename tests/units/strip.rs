@@ -17,14 +17,6 @@ fn law([g, nu, vx, vy, phi]: [f64; 5], factors: [f64; 2]) -> Distribution<f64> {
     Flexibilities::new(g, nu, &LinearCoefficients::at(g, nu), factors).see([vx, vy, phi])
 }
 
-const COUNTS: [StripCount; 5] = [
-    StripCount::Four,
-    StripCount::Eight,
-    StripCount::Sixteen,
-    StripCount::ThirtyTwo,
-    StripCount::SixtyFour,
-];
-
 fn totals([g, nu, vx, vy, phi]: [f64; 5]) -> [f64; 4] {
     let t = prepared(g, nu).totals_of_strips([vx, vy, phi]);
     [t.fx, t.fy, t.mz, t.stick]

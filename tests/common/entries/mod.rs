@@ -162,18 +162,22 @@ const SPECIAL: [f64; 16] = [
     1.0,
     -1.0,
     0.5,
-    f64::INFINITY,
-    f64::NEG_INFINITY,
+    INFINITE,
+    -INFINITE,
     f64::NAN,
     f64::MAX,
-    f64::MIN_POSITIVE,
+    LEAST,
     5e-324,
-    f32::MAX as f64,
-    f32::MIN_POSITIVE as f64,
+    LARGE,
+    LEAST_F32,
     1e-45,
     1e150,
     1e-150,
 ];
+const INFINITE: f64 = f64::INFINITY;
+const LEAST: f64 = f64::MIN_POSITIVE;
+const LEAST_F32: f64 = f32::MIN_POSITIVE as f64;
+const LARGE: f64 = f32::MAX as f64;
 
 macro_rules! number {
     ($float:ident, $rounding:expr) => {
