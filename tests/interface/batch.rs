@@ -63,32 +63,12 @@ fn inputs() -> [Vec<f64>; 10] {
 
 /// Numbers that are hard for some formula, or bad.
 const HARD: [f64; 24] = [
-    0.0,
-    -0.0,
-    5e-324,
-    1e-310,
-    1e-45,
-    1e-30,
-    1e-12,
-    1e-6,
-    4e-3,
-    0.5,
-    1.0,
-    3.0,
-    1e4,
-    8e10,
-    1e16,
-    1e30,
-    3e38,
-    1e100,
-    1e300,
-    f64::MAX,
-    INFINITE,
-    f64::NAN,
-    -1.0,
-    -1e300,
+    0.0, -0.0, 5e-324, 1e-310, 1e-45, 1e-30, 1e-12, 1e-6, 4e-3, 0.5, 1.0, 3.0, 1e4, 8e10, 1e16,
+    1e30, 3e38, 1e100, 1e300, MOST, INFINITE, NAN, -1.0, -1e300,
 ];
 const INFINITE: f64 = f64::INFINITY;
+const MOST: f64 = f64::MAX;
+const NAN: f64 = f64::NAN;
 
 /// A contact with its creepage; usual, unusual, or with one to nine numbers that are hard.
 fn any_kind(random: &mut Random, kind: usize) -> [f64; 10] {

@@ -157,24 +157,12 @@ pub trait Number: Copy + Into<f64> + PartialOrd {
 
 /// Zero, ends of the number range, not numbers.
 const SPECIAL: [f64; 16] = [
-    0.0,
-    -0.0,
-    1.0,
-    -1.0,
-    0.5,
-    INFINITE,
-    -INFINITE,
-    f64::NAN,
-    f64::MAX,
-    LEAST,
-    5e-324,
-    LARGE,
-    LEAST_F32,
-    1e-45,
-    1e150,
-    1e-150,
+    0.0, -0.0, 1.0, -1.0, 0.5, INFINITE, -INFINITE, NAN, MOST, LEAST, 5e-324, LARGE, LEAST_F32,
+    1e-45, 1e150, 1e-150,
 ];
 const INFINITE: f64 = f64::INFINITY;
+const NAN: f64 = f64::NAN;
+const MOST: f64 = f64::MAX;
 const LEAST: f64 = f64::MIN_POSITIVE;
 const LEAST_F32: f64 = f32::MIN_POSITIVE as f64;
 const LARGE: f64 = f32::MAX as f64;
