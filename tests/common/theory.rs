@@ -67,6 +67,10 @@ pub struct Law {
     pub continuous: bool,
 }
 
+/// At rest.
+pub const BASE: Law =
+    Law { xi: 0.0, eta: 0.0, psi: 0.0, poisson_ratio: 0.28, axis_ratio: 1.0, continuous: false };
+
 impl Law {
     /// `ξ̄ = ξ − ψ (y/a)/(1 − ν)`
     pub fn xi_bar(&self, y: f64) -> f64 {

@@ -446,15 +446,18 @@ impl<F: Bits> Case<'_, F> {
                 let Creepage { longitudinal, lateral, spin } = *creepage;
                 let motion = creep(longitudinal * share, lateral * share, spin);
                 let found = friction::solve_with_law(contact, &motion, law, options).ok()?.solution;
+                let Creepage { longitudinal, lateral, spin } = motion;
+                let (Solution { fx, fy, .. }, weight, measured) = (found, F::one(), 3);
+                let reserved = 0;
                 Some(MeasuredForce {
-                    longitudinal: motion.longitudinal,
-                    lateral: motion.lateral,
+                    longitudinal,
+                    lateral,
                     spin,
-                    fx: found.fx,
-                    fy: found.fy,
-                    weight: F::one(),
-                    measured: 3,
-                    reserved: 0,
+                    fx,
+                    fy,
+                    weight,
+                    measured,
+                    reserved,
                 })
             })
             .collect();

@@ -139,16 +139,11 @@ fn hash_fits<F: Bits>(hash: &mut Hash) {
                 let c = f64::from(n + 1) * f64::from(n + 1);
                 let rise = c / (c + f64::from(1 + draw(i, 1, 30))) * (1.0 - c / 800.0);
                 let scatter = f64::from(draw(i, 2, 8)) / 100.0 * swing(i, 10 + n);
-                MeasuredForce {
-                    longitudinal: F::of(c * 5e-4),
-                    lateral: F::zero(),
-                    spin: F::zero(),
-                    fx: F::of(106.7e3 * 0.35 * (rise + scatter)),
-                    fy: F::zero(),
-                    weight: part(1 + draw(i, 30 + n, 3), 2.0),
-                    measured: 1,
-                    reserved: 0,
-                }
+                let (longitudinal, fx) =
+                    (F::of(c * 5e-4), F::of(106.7e3 * 0.35 * (rise + scatter)));
+                let ([lateral, spin, fy], measured, reserved) = ([F::zero(); 3], 1, 0);
+                let weight = part(1 + draw(i, 30 + n, 3), 2.0);
+                MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved }
             })
             .collect();
         let start = law([0.0, 0.5, 0.3, 10.0, 0.5].map(F::of));
@@ -230,12 +225,9 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         };
         let law = Law { model: Model::Strip, falling: None };
         let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Eight, law };
-        let place = Position {
-            lateral: F::of(from + 9e-3 * swing(i, 3)),
-            vertical: F::zero(),
-            yaw: F::of(0.02 * swing(i, 4)),
-            roll: F::of(0.01 * swing(i, 5)),
-        };
+        let place = [from + 9e-3 * swing(i, 3), 0.0, 0.02 * swing(i, 4), 0.01 * swing(i, 5)];
+        let [lateral, vertical, yaw, roll] = place.map(F::of);
+        let place = Position { lateral, vertical, yaw, roll };
         let load = F::of(size(i, 6, [1.0, 1e3, 1e4]));
         let found = scene.height_for_load(&place, load, None, memory);
         let Some(vertical) = hash.status(found) else { continue };
@@ -278,17 +270,13 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
             rail,
             motion: still,
         });
-        let start = Position {
-            lateral: F::of(7e-3 * swing(i, 1)),
-            vertical: F::of(1e-3 * swing(i, 2)),
-            yaw: F::of(0.01 * swing(i, 3)),
-            roll: F::of(2e-3 * swing(i, 4)),
-        };
-        let loads = WheelsetLoads {
-            vertical: F::of(100e3),
-            roll: F::of(60e3 * swing(i, 5)),
-            pitch: F::of(8e3 * swing(i, 6)),
-        };
+        let spread = [7e-3, 1e-3, 0.01, 2e-3].into_iter().zip(1..);
+        let mut spread = spread.map(|(size, salt)| F::of(size * swing(i, salt)));
+        let [lateral, vertical, yaw, roll] = [0; 4].map(|_| spread.next().expect("four"));
+        let start = Position { lateral, vertical, yaw, roll };
+        let loads = [100e3, 60e3 * swing(i, 5), 8e3 * swing(i, 6)].map(F::of);
+        let [vertical, roll, pitch] = loads;
+        let loads = WheelsetLoads { vertical, roll, pitch };
         let found = Wheelset { scenes, sides }.settle(&start, &velocity(i), &loads, &mut memory);
         let Some(found) = hash.status(found.map(|found| (found, found.warning))) else { continue };
         let Position { vertical, roll, .. } = found.position;

@@ -12,15 +12,7 @@ const fn creepage([longitudinal, lateral, spin]: [f64; 3]) -> kstrip_creepage {
 }
 
 fn patch() -> kstrip_patch {
-    let contact = kstrip_contact {
-        a: 6e-3,
-        b: 4e-3,
-        normal_force: 80e3,
-        shear_modulus: 82e9,
-        poisson_ratio: 0.28,
-        friction: 0.3,
-        mismatch: 0.0,
-    };
+    let contact = kstrip_contact { b: 4e-3, ..crate::prelude::C0 };
     let mut patch = MaybeUninit::uninit();
     assert_eq!(kstrip_patch_from_contact(Some(&contact), Some(&STRIP), Some(&mut patch)), 0);
     // SAFETY: status 0.

@@ -23,16 +23,9 @@ fn along(creepage: f64) -> Creepage<f64> {
 }
 
 fn point(creepage: f64, fx: f64) -> MeasuredForce<f64> {
-    MeasuredForce {
-        longitudinal: creepage,
-        lateral: 0.0,
-        spin: 0.0,
-        fx,
-        fy: f64::NAN,
-        weight: 1.0,
-        measured: 1,
-        reserved: 0,
-    }
+    let (longitudinal, fy, weight, measured) = (creepage, f64::NAN, 1.0, 1);
+    let [lateral, spin] = [0.0; 2];
+    MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved: 0 }
 }
 
 fn read(name: &str) -> Vec<csv::StringRecord> {
@@ -272,15 +265,8 @@ fn polachs_sets_are_met() {
         (0.1, 0.04, 0.03, 0.4, 0.1),
     ] {
         for rolling_speed in [2.0, 10.0, 30.0] {
-            let law = SlipFriction {
-                friction,
-                ratio,
-                decay: 1.2 * decay,
-                rolling_speed,
-                slope_factor: (ka + ks) / 2.0,
-                slide_factor: 0.33 * ks / (ka + ks),
-                layer: 0.0,
-            };
+            let law = falling(friction, ratio, 1.2 * decay, rolling_speed, (ka + ks) / 2.0);
+            let law = SlipFriction { slide_factor: 0.33 * ks / (ka + ks), ..law };
             let creepages = (0..60)
                 .map(|i| 1e-4 + (0.01 - 1e-4) * f64::from(i) / 59.0)
                 .chain((0..60).map(|i| 0.012 + (0.2 - 0.012) * f64::from(i) / 59.0));

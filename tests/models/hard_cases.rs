@@ -5,7 +5,7 @@ use crate::names::*;
 use crate::poison::{poisoned, untouched};
 use crate::prelude::*;
 use crate::single::{converted, converted_motion};
-use crate::theory::Law;
+use crate::theory::{BASE, Law};
 use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
 use kstrip::friction::derivatives::LawDerivatives;
 
@@ -241,8 +241,7 @@ fn lateral_creepage_against_almost_unit_spin() {
     for k in 1..=16 {
         for sign in [1.0, -1.0] {
             let (eta, psi) = (-0.5 * sign, sign * (1.0 - 10f64.powi(-k)));
-            let law =
-                Law { xi: 0.1, eta, psi, poisson_ratio: 0.28, axis_ratio: 1.0, continuous: true };
+            let law = Law { xi: 0.1, eta, psi, continuous: true, ..BASE };
             let (exact, _) = law.totals();
             let got = answer::<f32>(&c, &creepage(&c, law.xi, eta, psi), MODELS[1]).unwrap();
             assert!((got[1] - exact[1]).abs() < 1e-6, "{psi}: {got:?} {exact:?}");
@@ -266,14 +265,7 @@ fn spin_of_exactly_one() {
     for sign in [1.0, -1.0] {
         for (xi, eta) in [(0.0, -0.5), (0.0, 0.5), (0.0, 0.0), (0.3, -0.2), (0.3, 0.0), (0.3, 0.2)]
         {
-            let law = Law {
-                xi,
-                eta: eta * sign,
-                psi: sign,
-                poisson_ratio: 0.29,
-                axis_ratio: 1.0,
-                continuous: false,
-            };
+            let law = Law { xi, eta: eta * sign, psi: sign, poisson_ratio: 0.29, ..BASE };
             let (exact, _) = law.totals();
             // Neighbours on both sides, in case the factor is one unit in the last place off 1
             for psi in [1.0 - f64::EPSILON, 1.0, 1.0 + f64::EPSILON] {

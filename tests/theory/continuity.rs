@@ -6,7 +6,7 @@
 //! all.
 
 use crate::prelude::*;
-use crate::theory::{Law, solve};
+use crate::theory::{BASE, Law, solve};
 
 const STEP: f64 = 1e-6;
 
@@ -55,9 +55,6 @@ fn check_sweep(name: &str, steps: i32, at: impl Fn(f64) -> Law) {
     }
 }
 
-const BASE: Law =
-    Law { xi: 0.0, eta: 0.0, psi: 0.0, poisson_ratio: 0.28, axis_ratio: 1.0, continuous: false };
-
 /// ψ through ±1 with both signs of ηψ, also without η or ξ.
 #[test]
 fn sweep_of_spin_through_unity() {
@@ -76,15 +73,8 @@ fn sweep_of_spin_through_unity() {
                 (0.9, -0.6, 5.0),
                 (0.05, -0.05, 10.0),
             ] {
-                let at = |t| Law {
-                    xi,
-                    eta: eta * sign,
-                    psi: sign * (1.0 + t),
-                    axis_ratio,
-                    continuous,
-                    ..BASE
-                };
-                check_sweep("ψ through 1", 150, at);
+                let law = Law { xi, eta: eta * sign, axis_ratio, continuous, ..BASE };
+                check_sweep("ψ through 1", 150, |t| Law { psi: sign * (1.0 + t), ..law });
             }
         }
     }
@@ -148,18 +138,9 @@ fn sweep_of_lateral_creepage_through_zero_with_spin() {
                 for axis_ratio in [0.2, 5.0] {
                     let law = Law { xi, psi, axis_ratio, continuous, ..BASE };
                     check_sweep("η through 0", 25, |t| Law { eta: t, ..law });
-                    check_sweep("η through 0, half a step off", 25, |t| Law {
-                        eta: t + 0.5 * STEP,
-                        ..law
-                    });
-                    let law = Law {
-                        xi: 0.0,
-                        eta: -0.3 * psi.signum(),
-                        psi,
-                        axis_ratio,
-                        continuous,
-                        ..BASE
-                    };
+                    let half = |t| Law { eta: t + 0.5 * STEP, ..law };
+                    check_sweep("η through 0, half a step off", 25, half);
+                    let law = Law { xi: 0.0, eta: -0.3 * psi.signum(), ..law };
                     check_sweep("ξ through 0", 25, |t| Law { xi: xi + t, ..law });
                 }
             }

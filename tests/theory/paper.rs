@@ -384,14 +384,8 @@ fn figure_10_has_an_adhesion_area_at_unit_spin() {
             let motion = creepage(&c, 0.0, eta, psi);
             let s = solved(&c, &motion, &options(kind, StripCount::SixtyFour));
             assert!(s.adhesion > 0.2 && s.adhesion < 0.9, "{}", s.adhesion);
-            let law = theory::Law {
-                xi: 0.0,
-                eta,
-                psi,
-                poisson_ratio: 0.29,
-                axis_ratio: 1.0,
-                continuous: kind == Model::Strip1967Continuous,
-            };
+            let continuous = kind == Model::Strip1967Continuous;
+            let law = theory::Law { eta, psi, poisson_ratio: 0.29, continuous, ..theory::BASE };
             let (exact, _) = law.totals();
             let unit = c.friction * c.normal_force;
             assert!((s.fy / unit - exact[1]).abs() < 1e-6 && (s.fx / unit - exact[0]).abs() < 1e-6);

@@ -27,15 +27,9 @@ fn usual_sizes_pass_every_check() {
                 F::of(ends[(corner >> (k - 1)) & 1])
             });
             let [a, b, normal_force, shear_modulus, poisson_ratio, friction, x, y, spin] = numbers;
-            let contact = Contact {
-                a,
-                b,
-                normal_force,
-                shear_modulus,
-                poisson_ratio,
-                friction,
-                mismatch: F::zero(),
-            };
+            let mismatch = F::zero();
+            let contact =
+                Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch };
             let creepage = creep(x, y, spin);
             for model in Model::ALL {
                 let (passes, found) = quick_and_full_check(&contact, &creepage, model);
