@@ -131,7 +131,7 @@ function fails(call, expected)
 end
 fails(@() kstrip([6e-3; 4.5e-3; 80e3; 82e9; 0.28; -0.3], creepage), 'column 1: the coefficient of friction is negative');
 fails(@() kstrip(contact(1:5), creepage), 'contact must be a real double matrix with 6');
-fails(@() kstrip(contact, creepage, 'fastsim'), 'unknown model');
+fails(@() kstrip(contact, creepage, 'fastsim'), 'the model is not one of the KSTRIP_MODEL constants');
 fails(@() kstrip_evaluate(contact, creepage, wet(1:4)), 'friction must be a real double matrix with 5');
 fails(@() kstrip_wheel_on_rail(y, wheel, pair, position, velocity), 'rail must be made by kstrip_prepare_profile');
 fails(@() kstrip_wheel_on_rail(rail, wheel, struct('radius', 1), position, velocity), 'unknown field radius');
