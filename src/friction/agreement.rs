@@ -123,7 +123,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
             let far_step = (self.next)(far)? - far;
             if far_step * step <= F::zero() {
                 // Passed it, or rounding turned round what is monotone: it lies between.
-                let found = self.within([friction, step], [far, far_step])?;
+                let found = self.solution_between([friction, step], [far, far_step])?;
                 let plain = ratio == F::zero() && (far - friction).abs() > friction.times(1e-3);
                 return if plain { self.nearest([friction, step], found) } else { Ok(found) };
             }
@@ -136,7 +136,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
     }
 
     /// A solution between two places, each with its `g(μ) − μ`.
-    fn within(&self, from: [F; 2], to: [F; 2]) -> Result<(F, bool), Error> {
+    fn solution_between(&self, from: [F; 2], to: [F; 2]) -> Result<(F, bool), Error> {
         let [low, high] = if to[0] > from[0] { [from, to] } else { [to, from] };
         let between = Bracket { positive: low[0], negative: high[0] };
         self.between(between, high[1], between.ratio_middle())
@@ -160,7 +160,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         for i in 1..=PLACES {
             let here = at(from[0] + way.times(i as f64 / PLACES as f64 * (1.0 - ASIDE)))?;
             if is_before(here) {
-                return self.within(last, here);
+                return self.solution_between(last, here);
             }
             let [mut a, mut b, mut c] = [before, last, here];
             for _ in 0..PARABOLAS {
@@ -172,7 +172,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
                 let [by_a, by_c] = [to_a * (b[1] - c[1]), to_c * (b[1] - a[1])];
                 let least = at(b[0] - (to_a * by_a - to_c * by_c) / (by_a - by_c).times(2.0))?;
                 if is_before(least) {
-                    return self.within(a, least);
+                    return self.solution_between(a, least);
                 }
                 let is_beyond = (least[0] - b[0]) * to_a > F::zero();
                 [a, b, c] = match (is_beyond, least[1].abs() < b[1].abs()) {
