@@ -1,6 +1,6 @@
 //! The cells of the normal problem: first their places, then what the solution makes of them.
 
-use crate::normal::profile::WithSlope;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use core::f64::consts::FRAC_PI_2;
 use heapless::VecView;
@@ -17,33 +17,33 @@ pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CE
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell<F, const N: usize> {
     /// Middle line \[m\].
-    pub y: WithSlope<F, N>,
+    pub y: Dual<F, N>,
     /// Width \[m\].
-    pub width: WithSlope<F, N>,
+    pub width: Dual<F, N>,
     /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
     /// hardly a gap between them, at the middle of both.
-    pub(super) at: WithSlope<F, N>,
+    pub(super) at: Dual<F, N>,
     /// How strongly the pressure is coupled to that of the cell before and to that of the cell
     /// after, `κ` \[m\].
-    pub(super) coupling: [WithSlope<F, N>; 2],
+    pub(super) coupling: [Dual<F, N>; 2],
     /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
-    pub(super) alone: WithSlope<F, N>,
+    pub(super) alone: Dual<F, N>,
     /// Share of a whole cell.
-    pub(super) share: WithSlope<F, N>,
+    pub(super) share: Dual<F, N>,
     /// Number of the cell that it is a part of.
     pub(super) number: i32,
     /// Number of its zone.
     pub(super) zone: u32,
     /// Undeformed distance on the middle line \[m\].
-    pub distance: WithSlope<F, N>,
+    pub distance: Dual<F, N>,
     /// Rolling radius `R` \[m\].
-    pub rolling_radius: WithSlope<F, N>,
+    pub rolling_radius: Dual<F, N>,
     /// Centre along `x` \[m\].
-    pub centre_x: WithSlope<F, N>,
+    pub centre_x: Dual<F, N>,
     /// Half length \[m\].
-    pub half_length: WithSlope<F, N>,
+    pub half_length: Dual<F, N>,
     /// `p/(π E*)`; zero where the bodies do not touch.
-    pub pressure: WithSlope<F, N>,
+    pub pressure: Dual<F, N>,
     /// Whether the bodies touch.
     pub touches: bool,
 }
@@ -51,12 +51,8 @@ pub(crate) struct Cell<F, const N: usize> {
 impl<F: Float, const N: usize> Cell<F, N> {
     /// A cell of which no more than its place is known.
     #[inline(always)]
-    pub(super) fn at_place(
-        [y, width, share]: [WithSlope<F, N>; 3],
-        number: i32,
-        zone: u32,
-    ) -> Self {
-        let zero = WithSlope::zero();
+    pub(super) fn at_place([y, width, share]: [Dual<F, N>; 3], number: i32, zone: u32) -> Self {
+        let zero = Dual::zero();
         Self {
             y,
             width,
@@ -76,7 +72,7 @@ impl<F: Float, const N: usize> Cell<F, N> {
     }
 
     /// `(π/2) a w p/(π E*)`
-    pub fn load(&self) -> WithSlope<F, N> {
+    pub fn load(&self) -> Dual<F, N> {
         (self.half_length * self.width * self.pressure).times(FRAC_PI_2)
     }
 }
@@ -88,13 +84,13 @@ pub(crate) struct Cells<'a, F, const N: usize> {
 
 impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// `N/(π E*)`
-    pub(crate) fn load(&self) -> WithSlope<F, N> {
-        self.list.iter().fold(WithSlope::zero(), |sum, cell| sum + cell.load())
+    pub(crate) fn load(&self) -> Dual<F, N> {
+        self.list.iter().fold(Dual::zero(), |sum, cell| sum + cell.load())
     }
 
     /// Mean pressure over mean half length, and mean width \[m\], weighted with the load, of
     /// numbers that `of` makes.
-    pub(crate) fn means(&self, of: impl Fn(WithSlope<F, N>) -> F) -> [F; 2] {
+    pub(crate) fn means(&self, of: impl Fn(Dual<F, N>) -> F) -> [F; 2] {
         let (mut sum, mut weight) = (F::zero(), F::TINY);
         let (mut widths, mut loads) = (F::zero(), F::TINY);
         for cell in self.list.iter() {

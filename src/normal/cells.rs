@@ -23,8 +23,8 @@ pub use crate::normal::cell::CELLS;
 pub(crate) use crate::normal::cell::{Cell, Cells, FEW};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
-use crate::normal::profile::WithSlope;
 use crate::number::avx::with_avx;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Strips};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
@@ -56,8 +56,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// of each, and whether it may touch, and `centre_x` the centre.
     pub(super) fn fill(
         &mut self,
-        of: impl Fn(WithSlope<F, N>) -> ([WithSlope<F, N>; 3], bool),
-        centre_x: impl Fn(WithSlope<F, N>) -> WithSlope<F, N>,
+        of: impl Fn(Dual<F, N>) -> ([Dual<F, N>; 3], bool),
+        centre_x: impl Fn(Dual<F, N>) -> Dual<F, N>,
     ) {
         for cell in self.list.iter_mut() {
             let ([distance, rolling_radius, half_length], touches) = of(cell.at);
@@ -74,8 +74,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     pub(crate) fn press<const STORED: usize, const ROOM: usize>(
         &mut self,
         equations: &mut Equations<F, STORED, ROOM>,
-        given: Given<WithSlope<F, N>>,
-    ) -> WithSlope<F, N> {
+        given: Given<Dual<F, N>>,
+    ) -> Dual<F, N> {
         equations.make_room(self.list.len());
         let mut across = Across::<F, STORED>::new();
         for (j, cell) in self.list.iter().enumerate() {
@@ -99,7 +99,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
                 cell.touches = true;
             }
         }
-        let mut approach = WithSlope::zero();
+        let mut approach = Dual::zero();
         for round in 0..ROUNDS {
             let mut touching: Vec<usize, CELLS> = Vec::new();
             let mut sides = [[F::zero(); CELLS]; 2];
@@ -152,7 +152,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             }
             // A dp = dδ − dh − dA p
             for d in 0..N {
-                let of = |number: &WithSlope<F, N>| number.derivative(d);
+                let of = |number: &Dual<F, N>| number.derivative(d);
                 let mut rest = [F::zero(); CELLS];
                 for (rest, cell) in rest.iter_mut().zip(self.list.iter()) {
                     *rest = -of(&cell.distance);
@@ -180,7 +180,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         }
         for cell in self.list.iter_mut() {
             if !(cell.touches && cell.pressure.value > F::zero()) {
-                cell.pressure = WithSlope::zero();
+                cell.pressure = Dual::zero();
             }
         }
         approach
@@ -217,9 +217,9 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Corrects the lengths for the present pressures, by a power of the quotient of both sides of
     /// the second condition; also those of cells that do not touch, as if they were about to.
     #[inline(never)]
-    pub(crate) fn correct(&mut self, power: WithSlope<F, N>) {
-        let (less, more) = (WithSlope::one() - power, WithSlope::one() + power);
-        let mut curvatures = [WithSlope::zero(); CELLS];
+    pub(crate) fn correct(&mut self, power: Dual<F, N>) {
+        let (less, more) = (Dual::one() - power, Dual::one() + power);
+        let mut curvatures = [Dual::zero(); CELLS];
         let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
@@ -231,7 +231,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
             // the power of c as its Padé approximant, which keeps the correction within a factor of
             // 4 for every c
-            let c = (curvature * cell.rolling_radius).max(WithSlope::zero());
+            let c = (curvature * cell.rolling_radius).max(Dual::zero());
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }
     }
@@ -239,8 +239,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
 
 /// The edges of a cell.
 struct CellEdges<F, const N: usize> {
-    lower: WithSlope<F, N>,
-    upper: WithSlope<F, N>,
+    lower: Dual<F, N>,
+    upper: Dual<F, N>,
     half_length: F,
     /// `da/a`
     growth: [F; N],
@@ -249,16 +249,14 @@ struct CellEdges<F, const N: usize> {
 
 /// A number with the first of its derivatives.
 #[inline(always)]
-fn stored<F: Float, const N: usize, const STORED: usize>(
-    x: WithSlope<F, N>,
-) -> WithSlope<F, STORED> {
-    WithSlope { value: x.value, gradient: core::array::from_fn(|k| x.derivative(k)) }
+fn stored<F: Float, const N: usize, const STORED: usize>(x: Dual<F, N>) -> Dual<F, STORED> {
+    Dual { value: x.value, gradient: core::array::from_fn(|k| x.derivative(k)) }
 }
 
 impl<F: Float, const N: usize> CellEdges<F, N> {
     #[inline(always)]
     fn new<const ALL: usize>(cell: &Cell<F, ALL>) -> Self {
-        let (y, a): (WithSlope<F, N>, WithSlope<F, N>) = (stored(cell.y), stored(cell.half_length));
+        let (y, a): (Dual<F, N>, Dual<F, N>) = (stored(cell.y), stored(cell.half_length));
         let half = stored::<_, ALL, N>(cell.width).times(0.5);
         let scale = F::one() / a.value;
         Self {
@@ -349,7 +347,7 @@ impl<F: Float, const N: usize> Across<F, N> {
         let width = (edges.upper - edges.lower).value;
         let close = width * F::EPSILON.times(256.0);
         let mut places = values.iter_mut().zip(slopes.iter_mut()).zip(is_lower.iter_mut());
-        let mut add = |distance: WithSlope<F, N>, lower: bool| {
+        let mut add = |distance: Dual<F, N>, lower: bool| {
             if let Some(((value, slope), is_lower)) = places.next() {
                 (*value, *slope, *is_lower) = (distance.value, distance.gradient, lower);
             }
@@ -372,16 +370,16 @@ impl<F: Float, const N: usize> Across<F, N> {
 
     /// The value at the lower edge less that at the upper one, for each cell.
     #[inline(always)]
-    fn differences(&self) -> impl Iterator<Item = WithSlope<F, N>> {
+    fn differences(&self) -> impl Iterator<Item = Dual<F, N>> {
         let Self { values, slopes, is_lower, count } = self;
         let pairs = values.windows(2).zip(slopes.windows(2)).zip(is_lower.iter().skip(1));
         pairs.take(count.saturating_sub(1)).filter(|(_, is_lower)| **is_lower).map(|(pair, _)| {
             match pair {
                 ([upper, lower], [upper_moved, lower_moved]) => {
-                    let upper = WithSlope { value: *upper, gradient: *upper_moved };
-                    WithSlope { value: *lower, gradient: *lower_moved } - upper
+                    let upper = Dual { value: *upper, gradient: *upper_moved };
+                    Dual { value: *lower, gradient: *lower_moved } - upper
                 }
-                _ => WithSlope::zero(),
+                _ => Dual::zero(),
             }
         })
     }

@@ -2,8 +2,8 @@
 
 use crate::normal::density::Zones;
 use crate::normal::extremes::{cuts, refined, zero_of};
-use crate::normal::profile::WithSlope;
 use crate::normal::smooth::{Knot, SmoothedProfile};
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::numerics::hermite::Cubic;
 
@@ -21,7 +21,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// numbers that `number` makes.
     pub(crate) fn overlaps(
         &self,
-        number: impl Fn(WithSlope<F, N>) -> F,
+        number: impl Fn(Dual<F, N>) -> F,
         mut take: impl FnMut(Overlap<F>),
     ) {
         let mut open: Option<Overlap<F>> = None;
@@ -40,8 +40,8 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                 }
                 let heights = [from, to].map(|t| cubic.value_at(t));
                 let [begins, ends] = heights.map(|height| height.value < F::zero());
-                let place = |t: WithSlope<F, N>| number(knot.y + t);
-                let crossing = |inside: WithSlope<F, N>, outside: WithSlope<F, N>| {
+                let place = |t: Dual<F, N>| number(knot.y + t);
+                let crossing = |inside: Dual<F, N>, outside: Dual<F, N>| {
                     let of = |t| [cubic.value_at(t), cubic.slope(t)];
                     place(zero_of(of, inside.value, outside.value))
                 };
@@ -66,16 +66,16 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// The same curve, of which only a zone or a run of zones counts.
     pub(crate) fn restrict(&mut self, zone: &Overlap<F>) {
         let [begin, end] = zone.ends;
-        self.lowest = WithSlope::from_base(self.zero - zone.depth);
+        self.lowest = Dual::from_base(self.zero - zone.depth);
         let first = self.knots.partition_point(|knot| knot.y.value <= begin);
         let last = self.knots.partition_point(|knot| knot.y.value < end);
         self.range = [first.saturating_sub(1), last + 1];
     }
 
     /// The depth of the zone that counts, with its derivatives; the curve is measured from there.
-    pub(crate) fn depth(&mut self, zone: &Overlap<F>) -> WithSlope<F, N> {
+    pub(crate) fn depth(&mut self, zone: &Overlap<F>) -> Dual<F, N> {
         let [begin, end] = zone.ends;
-        let mut lowest = WithSlope::from_base(F::LARGEST);
+        let mut lowest = Dual::from_base(F::LARGEST);
         let of = |knot: &Knot<F, N>| [knot.height, knot.slope];
         self.pieces(of, |knot, cubic, length| {
             for t in cuts(cubic, length) {
@@ -86,7 +86,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             }
         });
         self.lowest.gradient = lowest.gradient;
-        WithSlope::from_base(self.zero) - self.lowest
+        Dual::from_base(self.zero) - self.lowest
     }
 
     /// The zones where a function is negative; returns whether one of them ends with the profile.
@@ -96,7 +96,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     pub(super) fn zones(
         &self,
         zones: &mut Zones<F, N>,
-        of: impl Fn(WithSlope<F, N>, WithSlope<F, N>, WithSlope<F, N>) -> [WithSlope<F, N>; 2],
+        of: impl Fn(Dual<F, N>, Dual<F, N>, Dual<F, N>) -> [Dual<F, N>; 2],
     ) -> bool {
         let [start, finish] = self.ends;
         let mut at_end = false;
@@ -104,7 +104,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             let [y, height, slope] = self.knot(knot);
             of(y, height, slope)
         };
-        let mut last: Option<(WithSlope<F, N>, [WithSlope<F, N>; 2])> = None;
+        let mut last: Option<(Dual<F, N>, [Dual<F, N>; 2])> = None;
         let [first, end] = self.range;
         let knots = self.knots.get(first..end.min(self.knots.len())).unwrap_or(&[]);
         let next = knots.iter().skip(1).map(Some).chain([None]);
@@ -138,7 +138,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                 continue;
             }
             let heights = Cubic::over(step, [height, high], [slope, steep]);
-            let exact = |t: WithSlope<F, N>| of(t + y, heights.value_at(t), heights.slope(t));
+            let exact = |t: Dual<F, N>| of(t + y, heights.value_at(t), heights.slope(t));
             // extremes of the profile, and those of the function as a cubic
             let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
             let ([zero, a, b, _], [_, c, d, length]) =

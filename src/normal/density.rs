@@ -12,7 +12,7 @@
 //! touch, takes few cells from the others, and zones part and merge where there are hardly any. So
 //! no cell moves as fast as the end of a zone does that appears or merges.
 
-use crate::normal::profile::WithSlope;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use heapless::Vec;
 
@@ -29,9 +29,9 @@ const REACH: f64 = 0.1;
 #[derive(Clone, Copy, Debug)]
 struct DensityPoint<F, const N: usize> {
     /// \[m\]
-    y: WithSlope<F, N>,
+    y: Dual<F, N>,
     /// `d/d₀ + (l dd/dy/d₀)²`, which may be more than 1.
-    density: WithSlope<F, N>,
+    density: Dual<F, N>,
 }
 
 /// Zones in ascending `y`, with their densities.
@@ -41,9 +41,9 @@ pub(super) struct Zones<F, const N: usize> {
     /// Of all zones; between them the density is linear.
     places: Vec<DensityPoint<F, N>, PLACES>,
     /// One over `d₀` \[1/m\].
-    per_deep: WithSlope<F, N>,
+    per_deep: Dual<F, N>,
     /// `l` \[m\]
-    reach: WithSlope<F, N>,
+    reach: Dual<F, N>,
     /// Number of places before the zone that has begun.
     begun: Option<usize>,
 }
@@ -51,27 +51,27 @@ pub(super) struct Zones<F, const N: usize> {
 /// A part of a zone along which the density is linear.
 pub(super) struct Stretch<F, const N: usize> {
     /// Where it begins \[m\].
-    pub from: WithSlope<F, N>,
+    pub from: Dual<F, N>,
     /// Where it ends \[m\].
-    pub to: WithSlope<F, N>,
+    pub to: Dual<F, N>,
     /// Density at both ends, from 0 to 1.
-    densities: [WithSlope<F, N>; 2],
+    densities: [Dual<F, N>; 2],
 }
 
 impl<F: Float, const N: usize> Stretch<F, N> {
     /// The integral of the density \[m\].
-    pub fn integral(&self) -> WithSlope<F, N> {
+    pub fn integral(&self) -> Dual<F, N> {
         let [one, two] = self.densities;
         (one + two).times(0.5) * (self.to - self.from)
     }
 
     /// Where the integral of the density from the beginning has a value \[m\].
-    pub fn place(&self, part: WithSlope<F, N>) -> WithSlope<F, N> {
+    pub fn place(&self, part: Dual<F, N>) -> Dual<F, N> {
         // ρ₀ t + (ρ₁ − ρ₀) t²/(2 L) = part, without cancellation
         let [one, two] = self.densities;
         let bend = (two - one) * part / (self.to - self.from);
         let square = one.squared() + bend.times(2.0);
-        let root = square.max(WithSlope::from_base(F::TINY)).sqrt();
+        let root = square.max(Dual::from_base(F::TINY)).sqrt();
         (self.from + part.times(2.0) / (one + root)).min(self.to)
     }
 }
@@ -80,7 +80,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
     /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length
     /// \[m\].
     #[inline(always)]
-    pub fn new(approach: WithSlope<F, N>, smoothing: WithSlope<F, N>) -> Self {
+    pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
         Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
     }
@@ -88,7 +88,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
     /// Hands every stretch to `take`, with the number of its zone.
     #[inline(never)]
     pub fn stretches(&self, take: &mut dyn FnMut(usize, &Stretch<F, N>)) {
-        let one = WithSlope::one();
+        let one = Dual::one();
         let mut rest = self.places.as_slice();
         for (number, count) in self.list.iter().enumerate() {
             let Some((own, after)) = rest.split_at_checked(*count) else { return };
@@ -116,7 +116,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
 
     /// A zone begins at `y`, where the function has this value and slope. Without room the last
     /// zone goes on instead.
-    pub fn begin(&mut self, y: WithSlope<F, N>, of: [WithSlope<F, N>; 2]) {
+    pub fn begin(&mut self, y: Dual<F, N>, of: [Dual<F, N>; 2]) {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;
         let last = if room { None } else { self.list.pop() };
@@ -127,9 +127,9 @@ impl<F: Float, const N: usize> Zones<F, N> {
     /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of
     /// places where cells are as narrow as anywhere only the first and the last are kept.)
     #[inline(never)]
-    pub fn pass(&mut self, y: WithSlope<F, N>, [value, slope]: [WithSlope<F, N>; 2]) {
+    pub fn pass(&mut self, y: Dual<F, N>, [value, slope]: [Dual<F, N>; 2]) {
         let Some(begun) = self.begun else { return };
-        let depth = (-value).max(WithSlope::zero()) * self.per_deep;
+        let depth = (-value).max(Dual::zero()) * self.per_deep;
         let steepness = self.reach * slope * self.per_deep;
         let place = DensityPoint { y, density: depth + steepness.squared() };
         let deep = |place: &DensityPoint<F, N>| place.density.value >= F::one();

@@ -4,9 +4,9 @@
 //! Rows are padded with zeros to fours, which fill a register.
 
 use crate::normal::cell::CELLS;
-use crate::normal::profile::WithSlope;
 use crate::number::Float;
 use crate::number::avx::with_avx;
+use crate::number::dual::Dual;
 use core::ops::Range;
 use heapless::Vec;
 
@@ -45,7 +45,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
 
     /// Sets how far the pressure of cell `j` deflects each cell.
     #[inline(always)]
-    pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = WithSlope<F, N>>) {
+    pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = Dual<F, N>>) {
         for (row, entry) in self.rows.iter_mut().zip(entries) {
             if let Some(own) = row.influence.get_mut(j) {
                 *own = entry.value;
@@ -60,7 +60,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
 
     /// Adds `κ (p_i − p_k)` to the deflection of cell `i`. (Past the last cell there is nothing,
     /// whose pressure is zero.)
-    pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: WithSlope<F, N>) {
+    pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: Dual<F, N>) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (k, sign) in [(i, F::one()), (k, -F::one())] {
             if let Some(entry) = row.influence.get_mut(k) {

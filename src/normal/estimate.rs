@@ -14,9 +14,9 @@
 use crate::normal::cell::{Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{layout, lean};
-use crate::normal::profile::WithSlope;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::avx::with_avx;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Strips};
 use heapless::Vec;
 
@@ -32,19 +32,19 @@ const COUNT: usize = 10;
 #[derive(Clone, Debug)]
 pub(super) struct Estimate<F, const N: usize> {
     /// `N/(π E*)` \[m²\]
-    pub load: WithSlope<F, N>,
+    pub load: Dual<F, N>,
     /// Edges of the places, in fours.
     fours: Vec<FourEdges<F, N>, FOURS>,
-    breadth: WithSlope<F, N>,
+    breadth: Dual<F, N>,
 }
 
 /// Four edges of places side by side.
 #[derive(Clone, Debug)]
 struct FourEdges<F, const N: usize> {
     /// Where they are, and its derivatives \[m\].
-    places: WithSlope<[F; 4], N>,
+    places: Dual<[F; 4], N>,
     /// What the load per width grows by there, `f q/(π E*)`, and its derivatives \[m\].
-    growth: WithSlope<[F; 4], N>,
+    growth: Dual<[F; 4], N>,
 }
 
 /// Edges at most.
@@ -56,10 +56,10 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     #[inline(never)]
     pub fn load(
         curve: &SmoothedProfile<F, N>,
-        approach: WithSlope<F, N>,
-        radius: WithSlope<F, N>,
+        approach: Dual<F, N>,
+        radius: Dual<F, N>,
         cells: &mut Cells<F, N>,
-    ) -> WithSlope<F, N> {
+    ) -> Dual<F, N> {
         let mut estimate = Self::nothing();
         estimate.fill(curve, approach, cells, |_| radius);
         estimate.load
@@ -67,7 +67,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
 
     /// No load.
     pub fn nothing() -> Self {
-        let zero = WithSlope::zero();
+        let zero = Dual::zero();
         Self { load: zero, fours: Vec::new(), breadth: zero }
     }
 
@@ -78,16 +78,16 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     pub fn fill(
         &mut self,
         curve: &SmoothedProfile<F, N>,
-        approach: WithSlope<F, N>,
+        approach: Dual<F, N>,
         cells: &mut Cells<F, N>,
-        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
+        radius: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     ) {
         let level = approach.times(OVERLAP);
         place_loads(curve, (approach, level), cells);
         lean(cells);
-        let (zero, places) = (WithSlope::zero(), cells.list.as_slice());
+        let (zero, places) = (Dual::zero(), cells.list.as_slice());
         let (mut work, mut load) = (zero, zero);
-        let mut depths: Vec<WithSlope<F, N>, EDGES> = Vec::new();
+        let mut depths: Vec<Dual<F, N>, EDGES> = Vec::new();
         let (mut edges, mut growth) = (Vec::new(), Vec::new());
         for place in places {
             let q = (level - curve.at(place.at)).max(zero);
@@ -110,11 +110,10 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         let size = work / energy.shift(F::TINY);
         self.load = load * size;
         for four in &mut self.fours {
-            let WithSlope { value, gradient } = &mut four.growth;
+            let Dual { value, gradient } = &mut four.growth;
             for (k, value) in value.iter_mut().enumerate() {
                 let of = |slopes: &[F; 4]| slopes.get(k).copied().unwrap_or(F::zero());
-                let sized =
-                    WithSlope { value: *value, gradient: gradient.each_ref().map(of) } * size;
+                let sized = Dual { value: *value, gradient: gradient.each_ref().map(of) } * size;
                 *value = sized.value;
                 for (slopes, own) in gradient.iter_mut().zip(sized.gradient) {
                     if let Some(slope) = slopes.get_mut(k) {
@@ -126,11 +125,11 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 
     /// The deflection at `y`, and its slope along `y`.
-    pub fn deflection(&self, y: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
+    pub fn deflection(&self, y: Dual<F, N>) -> [Dual<F, N>; 2] {
         with_avx!(if 1 => <F: Float; N>(
             estimate: &Estimate<F, N> = self,
-            y: WithSlope<F, N> = y
-        ) -> [WithSlope<F, N>; 2] {
+            y: Dual<F, N> = y
+        ) -> [Dual<F, N>; 2] {
             estimate.in_fours::<F::Four>(y)
         } {
             estimate.in_fours::<F::WideFour>(y)
@@ -139,20 +138,18 @@ impl<F: Float, const N: usize> Estimate<F, N> {
 
     /// `Σ growth arsinh((y − edge)/ε)`, four edges side by side, and its slope.
     #[inline(always)]
-    fn in_fours<P: Strips<F>>(&self, y: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
+    fn in_fours<P: Strips<F>>(&self, y: Dual<F, N>) -> [Dual<F, N>; 2] {
         let one = P::one();
         let inverse = self.breadth.inverse();
-        let all = |own: WithSlope<F, N>| WithSlope {
-            value: P::all(own.value),
-            gradient: own.gradient.map(P::all),
-        };
+        let all =
+            |own: Dual<F, N>| Dual { value: P::all(own.value), gradient: own.gradient.map(P::all) };
         let four = |list: &[F; 4]| P::gather(|k| list.get(k).copied().unwrap_or(F::zero()));
-        let fours = |own: &WithSlope<[F; 4], N>| WithSlope {
+        let fours = |own: &Dual<[F; 4], N>| Dual {
             value: four(&own.value),
             gradient: own.gradient.each_ref().map(four),
         };
         let (y, per_breadth) = (all(y), all(inverse));
-        let mut sums = [WithSlope::<P, N>::zero(); 2];
+        let mut sums = [Dual::<P, N>::zero(); 2];
         for FourEdges { places, growth } in &self.fours {
             let size = fours(growth);
             let x = (y - fours(places)) * per_breadth;
@@ -164,13 +161,11 @@ impl<F: Float, const N: usize> Estimate<F, N> {
             let logarithm = F::ln_quotients(x.value.abs() + root, F::one());
             let value = x.value.choose(logarithm, -logarithm);
             let [sum, slopes] = &mut sums;
-            *sum += size * WithSlope::composed(value, [slope], [x]);
-            *slopes += size * WithSlope::composed(slope, [bend], [x]);
+            *sum += size * Dual::composed(value, [slope], [x]);
+            *slopes += size * Dual::composed(slope, [bend], [x]);
         }
-        let [sum, slopes] = sums.map(|own| WithSlope {
-            value: own.value.total(),
-            gradient: own.gradient.map(P::total),
-        });
+        let [sum, slopes] =
+            sums.map(|own| Dual { value: own.value.total(), gradient: own.gradient.map(P::total) });
         [sum, slopes * inverse]
     }
 }
@@ -179,7 +174,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
 #[inline(never)]
 fn place_loads<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
-    (approach, level): (WithSlope<F, N>, WithSlope<F, N>),
+    (approach, level): (Dual<F, N>, Dual<F, N>),
     cells: &mut Cells<F, N>,
 ) {
     let mut zones = Zones::new(approach, curve.smoothing());
@@ -189,15 +184,14 @@ fn place_loads<F: Float, const N: usize>(
 
 /// Adds the load per width of a place. Neighbours share an edge.
 fn add_load<F: Float, const N: usize>(
-    edges: &mut Vec<WithSlope<F, N>, EDGES>,
-    growth: &mut Vec<WithSlope<F, N>, EDGES>,
+    edges: &mut Vec<Dual<F, N>, EDGES>,
+    growth: &mut Vec<Dual<F, N>, EDGES>,
     place: &Cell<F, N>,
-    density: WithSlope<F, N>,
+    density: Dual<F, N>,
 ) {
     let half = place.width.times(0.5);
     let (lower, upper) = (place.y - half, place.y + half);
-    let shared =
-        |edge: &WithSlope<F, N>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
+    let shared = |edge: &Dual<F, N>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
     match growth.last_mut() {
         Some(growth) if edges.last().is_some_and(shared) => *growth += density,
         _ => {
@@ -210,10 +204,10 @@ fn add_load<F: Float, const N: usize>(
 }
 
 /// Up to four numbers side by side.
-fn side_by_side<F: Float, const N: usize>(numbers: &[WithSlope<F, N>]) -> WithSlope<[F; 4], N> {
-    let number = |k: usize| numbers.get(k).copied().unwrap_or(WithSlope::zero());
-    let four = |of: &dyn Fn(WithSlope<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));
-    WithSlope {
+fn side_by_side<F: Float, const N: usize>(numbers: &[Dual<F, N>]) -> Dual<[F; 4], N> {
+    let number = |k: usize| numbers.get(k).copied().unwrap_or(Dual::zero());
+    let four = |of: &dyn Fn(Dual<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));
+    Dual {
         value: four(&|own| own.value),
         gradient: core::array::from_fn(|d| four(&|own| own.derivative(d))),
     }

@@ -1,6 +1,6 @@
 //! Extremes and roots of the cubics that a smoothed profile consists of, with their derivatives.
 
-use crate::normal::profile::WithSlope;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::numerics::bracket::{Bracket, root};
 use crate::numerics::hermite::Cubic;
@@ -8,22 +8,21 @@ use crate::numerics::hermite::Cubic;
 /// An extreme of the function that the cubic stands for, where the sign of its value depends on
 /// how exactly its place is known; others as they are.
 pub(super) fn refined<F: Float, const N: usize>(
-    cubic: &Cubic<WithSlope<F, N>>,
+    cubic: &Cubic<Dual<F, N>>,
     length: F,
-    mut cut: WithSlope<F, N>,
-    exact: impl Fn(WithSlope<F, N>) -> [WithSlope<F, N>; 2],
-) -> WithSlope<F, N> {
+    mut cut: Dual<F, N>,
+    exact: impl Fn(Dual<F, N>) -> [Dual<F, N>; 2],
+) -> Dual<F, N> {
     let Cubic(c) = cubic;
     let [c0, .., c2, c3] = c.map(|c| c.value);
     let inside = |t: F| t > F::zero() && t < length;
     // (far from zero the sign is known)
-    let (value, scale) =
-        (cubic.value_at(cut).value, cubic.value_at(WithSlope::from_base(length)).value);
+    let (value, scale) = (cubic.value_at(cut).value, cubic.value_at(Dual::from_base(length)).value);
     if !inside(cut.value) || value.abs() > (c0.abs() + scale.abs()).times(0.2) {
         return cut;
     }
     for _ in 0..4 {
-        let [value, slope] = exact(WithSlope::from_base(cut.value)).map(|x| x.value);
+        let [value, slope] = exact(Dual::from_base(cut.value)).map(|x| x.value);
         let bend = c2.times(2.0) + (c3 * cut.value).times(6.0);
         let next = cut.value - slope / bend;
         if (value * bend).times(2.0) >= slope * slope || value * bend <= F::zero() || !inside(next)
@@ -38,10 +37,10 @@ pub(super) fn refined<F: Float, const N: usize>(
 /// The places of the beginning, the two extremes and the end of a cubic of some length. In the
 /// place of extremes that are none there is twice the point of inflection, from which they come.
 pub(super) fn cuts<F: Float, const N: usize>(
-    cubic: &Cubic<WithSlope<F, N>>,
-    length: WithSlope<F, N>,
-) -> [WithSlope<F, N>; 4] {
-    let zero = WithSlope::zero();
+    cubic: &Cubic<Dual<F, N>>,
+    length: Dual<F, N>,
+) -> [Dual<F, N>; 4] {
+    let zero = Dual::zero();
     let Cubic([_, c1, c2, c3]) = *cubic;
     // c₁ + 2 c₂ t + 3 c₃ t² = 0 without cancellation
     let root = (c2.squared() - c1 * c3.times(3.0)).value;
@@ -55,9 +54,9 @@ pub(super) fn cuts<F: Float, const N: usize>(
             // dt = −(dc₁ + 2 t dc₂ + 3 t² dc₃)/(2 c₂ + 6 c₃ t)
             let bend = half.times(2.0) + (c3.value * t).times(6.0);
             let steep = if bend.abs() > F::TINY { F::one() / bend } else { F::zero() };
-            let t = WithSlope::from_base(moves);
+            let t = Dual::from_base(moves);
             let moved = cubic.slope(t).gradient;
-            WithSlope { value: moves, gradient: moved.map(|moved| -(moved * steep)) }
+            Dual { value: moves, gradient: moved.map(|moved| -(moved * steep)) }
         };
         let (one, two) = (inside(c1.value / q), inside(q / c3.value.times(3.0)));
         cuts = [zero, one.min(two), one.max(two), length];
@@ -72,14 +71,14 @@ pub(super) fn cuts<F: Float, const N: usize>(
 
 /// The place where a function is zero between two places of different sign, with its derivative.
 pub(super) fn zero_of<F: Float, const N: usize>(
-    of: impl Fn(WithSlope<F, N>) -> [WithSlope<F, N>; 2],
+    of: impl Fn(Dual<F, N>) -> [Dual<F, N>; 2],
     negative: F,
     positive: F,
-) -> WithSlope<F, N> {
-    let plain = |t: F| of(WithSlope::from_base(t)).map(|x| x.value);
+) -> Dual<F, N> {
+    let plain = |t: F| of(Dual::from_base(t)).map(|x| x.value);
     let t = root(Bracket { negative, positive }, plain);
-    let [value, slope] = of(WithSlope::from_base(t));
+    let [value, slope] = of(Dual::from_base(t));
     // (the width of a zone that just appears grows infinitely fast, and carries nothing)
     let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
-    WithSlope { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
+    Dual { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }

@@ -6,7 +6,7 @@
 
 use crate::normal::cell::{CELLS, Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
-use crate::normal::profile::WithSlope;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
@@ -23,19 +23,19 @@ pub(super) fn layout<F: Float, const N: usize>(
     zones: &Zones<F, N>,
     count: usize,
     cells: &mut Cells<F, N>,
-) -> WithSlope<F, N> {
+) -> Dual<F, N> {
     let list = &mut cells.list;
     list.clear();
     let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let (mut total, mut far) = (WithSlope::zero(), F::zero());
+    let (mut total, mut far) = (Dual::zero(), F::zero());
     zones.stretches(&mut |_, stretch| {
         total += stretch.integral();
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
-    let inverse = WithSlope::from_base(count) / total.shift(F::TINY);
+    let inverse = Dual::from_base(count) / total.shift(F::TINY);
     // what is narrower than rounding, of lengths or of places, is left out
     let least = (F::one() + far * inverse.value) * F::EPSILON.times(64.0);
-    let zero = WithSlope::zero();
+    let zero = Dual::zero();
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
     // where the next stretch begins, in cells
     let mut begin = zero;
@@ -57,7 +57,7 @@ pub(super) fn layout<F: Float, const N: usize>(
         }
         let end = begin + stretch.integral() * inverse;
         loop {
-            let next = WithSlope::from_base(F::widened(cell as f32));
+            let next = Dual::from_base(F::widened(cell as f32));
             if !(next.value < end.value - least) || own.at.value >= next.value {
                 break;
             }
@@ -76,9 +76,9 @@ pub(super) fn layout<F: Float, const N: usize>(
 /// Where cells are cut.
 #[derive(Clone, Copy)]
 struct Cut<F, const N: usize> {
-    place: WithSlope<F, N>,
+    place: Dual<F, N>,
     /// The same in cells.
-    at: WithSlope<F, N>,
+    at: Dual<F, N>,
     zone: usize,
 }
 
@@ -98,9 +98,9 @@ struct Cut<F, const N: usize> {
 #[inline(never)]
 pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
     let list = &mut cells.list;
-    let [total, all] = list.iter().fold([WithSlope::zero(); 2], |[width, share], part| {
-        [width + part.width, share + part.share]
-    });
+    let [total, all] = list
+        .iter()
+        .fold([Dual::zero(); 2], |[width, share], part| [width + part.width, share + part.share]);
     let half_cell = (total / all.shift(F::TINY)).times(NEAR).squared();
     for i in 0..list.len() {
         let leaning = Leaning::new(list, i, half_cell);
@@ -112,20 +112,20 @@ pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
 
 /// What [`lean`] makes of a part.
 struct Leaning<F, const N: usize> {
-    at: WithSlope<F, N>,
-    coupling: [WithSlope<F, N>; 2],
-    alone: WithSlope<F, N>,
+    at: Dual<F, N>,
+    coupling: [Dual<F, N>; 2],
+    alone: Dual<F, N>,
 }
 
 impl<F: Float, const N: usize> Leaning<F, N> {
     /// None for a whole cell.
-    fn new(known: &[Cell<F, N>], i: usize, half_cell: WithSlope<F, N>) -> Option<Self> {
+    fn new(known: &[Cell<F, N>], i: usize, half_cell: Dual<F, N>) -> Option<Self> {
         let place = known.get(i)?;
         if place.share.value >= F::one() - F::EPSILON.times(256.0) {
             return None;
         }
         let parts = known.iter().filter(|part| part.number == place.number);
-        let width = parts.fold(WithSlope::zero(), |sum, part| sum + part.width);
+        let width = parts.fold(Dual::zero(), |sum, part| sum + part.width);
         let reach = width.times(NEAR).squared();
         let sides = [-1, 1].map(|step| Beside::new(known, i, step, reach));
         let own = [place.width, place.share, place.width * place.y];
@@ -133,12 +133,12 @@ impl<F: Float, const N: usize> Leaning<F, N> {
         let [near, share, moment] = added(&added(&own, &below.near), &above.near);
         // κ over the part's own width
         let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
-        let rest = (WithSlope::one() - share).max(WithSlope::zero());
+        let rest = (Dual::one() - share).max(Dual::zero());
         let zone = zone_share(known, i, half_cell);
-        let zero = WithSlope::zero();
+        let zero = Dual::zero();
         let mut leaning = Self { at: moment / near, coupling: [zero; 2], alone: zero };
         if zone.value < F::one() {
-            let rest = WithSlope::one() - zone;
+            let rest = Dual::one() - zone;
             leaning.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
         }
         let by_zone = cell * rest.squared() / share * near * per_width;
@@ -164,12 +164,12 @@ impl<F: Float, const N: usize> Leaning<F, N> {
 fn zone_share<F: Float, const N: usize>(
     known: &[Cell<F, N>],
     from: usize,
-    half_cell: WithSlope<F, N>,
-) -> WithSlope<F, N> {
-    let mut sum = WithSlope::zero();
+    half_cell: Dual<F, N>,
+) -> Dual<F, N> {
+    let mut sum = Dual::zero();
     let Some((before, rest)) = known.split_at_checked(from) else { return sum };
     let mut add = |parts: &mut dyn Iterator<Item = &Cell<F, N>>, skipped: usize| {
-        let (mut free, mut last) = (WithSlope::zero(), None::<&Cell<F, N>>);
+        let (mut free, mut last) = (Dual::zero(), None::<&Cell<F, N>>);
         for (k, part) in parts.enumerate() {
             if let Some(last) = last.filter(|last| last.zone != part.zone) {
                 let apart = part.y - last.y;
@@ -188,30 +188,30 @@ fn zone_share<F: Float, const N: usize>(
 }
 
 fn added<F: Float, const N: usize>(
-    one: &[WithSlope<F, N>; 3],
-    other: &[WithSlope<F, N>; 3],
-) -> [WithSlope<F, N>; 3] {
+    one: &[Dual<F, N>; 3],
+    other: &[Dual<F, N>; 3],
+) -> [Dual<F, N>; 3] {
     core::array::from_fn(|k| match (one.get(k), other.get(k)) {
         (Some(one), Some(other)) => *one + *other,
-        _ => WithSlope::zero(),
+        _ => Dual::zero(),
     })
 }
 
 /// The other parts of a cell on one side of a part.
 struct Beside<F, const N: usize> {
     /// Width, share, and width times place, each times the nearness.
-    near: [WithSlope<F, N>; 3],
+    near: [Dual<F, N>; 3],
     /// Gap before the next part \[m\].
-    gap: WithSlope<F, N>,
+    gap: Dual<F, N>,
     /// Width of these parts, times their nearness to the next part.
-    outer: WithSlope<F, N>,
+    outer: Dual<F, N>,
 }
 
 impl<F: Float, const N: usize> Beside<F, N> {
-    fn new(known: &[Cell<F, N>], from: usize, step: isize, reach: WithSlope<F, N>) -> Self {
-        let zero = WithSlope::zero();
+    fn new(known: &[Cell<F, N>], from: usize, step: isize, reach: Dual<F, N>) -> Self {
+        let zero = Dual::zero();
         let mut beside = Self { near: [zero; 3], gap: zero, outer: zero };
-        let (mut nearness, mut to_next) = (WithSlope::one(), None::<WithSlope<F, N>>);
+        let (mut nearness, mut to_next) = (Dual::one(), None::<Dual<F, N>>);
         let mut k = from;
         while let (Some(own), Some(next)) =
             (known.get(k), k.checked_add_signed(step).and_then(|next| known.get(next)))
@@ -224,7 +224,7 @@ impl<F: Float, const N: usize> Beside<F, N> {
             let gap = (apart - (own.width + next.width).times(0.5)).max(zero);
             let near = reach / (gap.squared() + reach);
             nearness = nearness * near;
-            let outer = to_next.map_or(WithSlope::one(), |product| product * near);
+            let outer = to_next.map_or(Dual::one(), |product| product * near);
             if to_next.is_none() {
                 beside.gap = gap;
             }

@@ -39,9 +39,9 @@ use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::equations::Equations;
 use crate::normal::outline::Outline;
 pub use crate::normal::profile::Profile;
-use crate::normal::profile::WithSlope;
 pub use crate::normal::profile_contact::ProfileContact;
 use crate::normal::smooth::SmoothedProfile;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
@@ -118,7 +118,7 @@ impl<F: Float> Indentation<F> {
         }
         // N/(π E*), or the approach
         let unit = F::one() / contact.modulus().times(PI);
-        let input = WithSlope::<F, 1>::input(value, 0);
+        let input = Dual::<F, 1>::input(value, 0);
         let given = match contact.given {
             Given::Load(_) => Given::Load(input.scale(unit)),
             Given::Approach(_) => Given::Approach(input),
@@ -139,7 +139,7 @@ impl<F: Float> Indentation<F> {
         profile: &Profile<F>,
         curve: &SmoothedProfile<F, N>,
         contact: &ProfileContact<F>,
-        approach: WithSlope<F, N>,
+        approach: Dual<F, N>,
         count: StripCount,
         cells: &mut Cells<F, N>,
     ) -> Result<Self, Error> {
@@ -148,10 +148,10 @@ impl<F: Float> Indentation<F> {
         if approach.value <= F::zero() {
             return Ok(Self::none(profile));
         }
-        let radius = |loads: &mut dyn Iterator<Item = [WithSlope<F, N>; 2]>| {
+        let radius = |loads: &mut dyn Iterator<Item = [Dual<F, N>; 2]>| {
             // (of nothing that of the contact)
-            let tiny = WithSlope::from_base(F::TINY);
-            let (mut sum, mut moment) = (tiny, tiny * WithSlope::from_base(contact.rolling_radius));
+            let tiny = Dual::from_base(F::TINY);
+            let (mut sum, mut moment) = (tiny, tiny * Dual::from_base(contact.rolling_radius));
             for [y, load] in loads {
                 sum += load;
                 moment += load * profile.rolling_radius(y, contact.rolling_radius);
@@ -207,7 +207,7 @@ impl<F: Float> Indentation<F> {
         &mut self,
         contact: &ProfileContact<F>,
         cells: &Cells<F, N>,
-        of: impl Fn(WithSlope<F, N>) -> F,
+        of: impl Fn(Dual<F, N>) -> F,
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<(), Error> {
         let modulus = contact.modulus().times(PI);
@@ -241,9 +241,9 @@ impl<F: Float> Indentation<F> {
 /// Pressures and corrected lengths of the cells; the approach.
 fn solve_pressures<F: Float, const N: usize>(
     cells: &mut Cells<F, N>,
-    power: WithSlope<F, N>,
-    given: Given<WithSlope<F, N>>,
-) -> WithSlope<F, N> {
+    power: Dual<F, N>,
+    given: Given<Dual<F, N>>,
+) -> Dual<F, N> {
     let are_few = CELLS == FEW || cells.list.len() <= FEW;
     match (N == 1, are_few) {
         (true, true) => press_and_correct::<F, N, 1, FEW>(cells, power, given),
@@ -259,9 +259,9 @@ fn solve_pressures<F: Float, const N: usize>(
 #[inline(never)]
 fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: usize>(
     cells: &mut Cells<F, N>,
-    power: WithSlope<F, N>,
-    given: Given<WithSlope<F, N>>,
-) -> WithSlope<F, N> {
+    power: Dual<F, N>,
+    given: Given<Dual<F, N>>,
+) -> Dual<F, N> {
     let mut equations = Equations::<F, STORED, ROOM>::new();
     let mut pressed = cells.press(&mut equations, given);
     for _ in 0..PASSES {

@@ -2,7 +2,7 @@
 
 use crate::normal::directions::{Moves, TOGETHER};
 use crate::normal::parabola::STEPS;
-use crate::normal::profile::{Profile, WithSlope};
+use crate::normal::profile::Profile;
 use crate::normal::smooth::{SmoothedProfile, low_level};
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
@@ -11,7 +11,7 @@ use crate::numerics::parabola::NormalEquations;
 use core::cell::Cell;
 
 /// A number with its derivatives.
-pub(crate) type Directed<F> = WithSlope<F, TOGETHER>;
+pub(crate) type Directed<F> = Dual<F, TOGETHER>;
 
 /// Points whose derivatives are kept while neighbouring knots need them.
 const KEPT: usize = 32;

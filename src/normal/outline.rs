@@ -7,9 +7,10 @@ use crate::normal::cells::Given;
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::estimate::{Estimate, OVERLAP};
 use crate::normal::layout::{layout, lean};
-use crate::normal::profile::{Profile, WithSlope, invert};
+use crate::normal::profile::{Profile, invert};
 use crate::normal::profile_contact::ProfileContact;
 use crate::normal::smooth::SmoothedProfile;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 use core::f64::consts::PI;
@@ -45,9 +46,9 @@ pub(crate) const fn are_few(count: StripCount) -> bool {
 /// What is known of the cells besides.
 pub(super) struct Outline<F, const N: usize> {
     /// The load or the approach.
-    pub given: Given<WithSlope<F, N>>,
+    pub given: Given<Dual<F, N>>,
     /// Of a correction of the lengths.
-    pub power: WithSlope<F, N>,
+    pub power: Dual<F, N>,
     pub iterations: u32,
     /// Whether a zone ends with the profile.
     pub at_end: bool,
@@ -63,7 +64,7 @@ impl<F: Float> Outline<F, 1> {
     pub fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
-        given: Given<WithSlope<F, 1>>,
+        given: Given<Dual<F, 1>>,
         count: StripCount,
         cells: &mut Cells<F, 1>,
     ) -> Result<Option<Self>, Error> {
@@ -89,17 +90,17 @@ impl<F: Float> Outline<F, 1> {
             Given::Approach(approach) => approach,
             Given::Load(load) => {
                 curve.still = true;
-                let still_radius = WithSlope::from_base(radius_there.value);
+                let still_radius = Dual::from_base(radius_there.value);
                 let load_at = |approach| Estimate::load(&curve, approach, still_radius, cells);
                 let (found, steps) = invert(load, first.value, load_at).ok_or(Error::Overflow)?;
                 curve.still = false;
                 iterations += steps;
                 // f(δ, c) = N, the curve c depending on N: dδ/dN = (1 − ∂f/∂c dc/dN)/(∂f/∂δ)
-                let here = WithSlope::from_base(found.value);
+                let here = Dual::from_base(found.value);
                 let [by_curve] = Estimate::load(&curve, here, radius_there, cells).gradient;
                 let ([by_load], [unit]) = (found.gradient, load.gradient);
                 let rest = F::one() - by_curve / unit;
-                WithSlope { value: found.value, gradient: [by_load * rest] }
+                Dual { value: found.value, gradient: [by_load * rest] }
             }
         };
         if approach.value <= F::zero() {
@@ -125,8 +126,8 @@ impl<F: Float, const N: usize> Outline<F, N> {
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
         curve: &SmoothedProfile<F, N>,
-        (given, approach): (Given<WithSlope<F, N>>, WithSlope<F, N>),
-        radius: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
+        (given, approach): (Given<Dual<F, N>>, Dual<F, N>),
+        radius: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
         count: StripCount,
         cells: &mut Cells<F, N>,
     ) -> Self {
@@ -150,9 +151,9 @@ struct Touching<F, const N: usize> {
     /// Whether a zone ends with the profile.
     at_end: bool,
     /// Rolling radius \[m\].
-    radius: WithSlope<F, N>,
+    radius: Dual<F, N>,
     /// Integral of the density of cells \[m\].
-    width: WithSlope<F, N>,
+    width: Dual<F, N>,
 }
 
 /// Lays cells out where the bodies touch by the estimate. (Out of line: the estimate need not be
@@ -160,13 +161,13 @@ struct Touching<F, const N: usize> {
 #[inline(never)]
 fn touching<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
-    approach: WithSlope<F, N>,
-    of_loads: impl FnOnce(&mut dyn Iterator<Item = [WithSlope<F, N>; 2]>) -> WithSlope<F, N>,
+    approach: Dual<F, N>,
+    of_loads: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     count: StripCount,
     cells: &mut Cells<F, N>,
 ) -> Touching<F, N> {
     let mut estimate = Estimate::nothing();
-    let mut radius = WithSlope::zero();
+    let mut radius = Dual::zero();
     estimate.fill(curve, approach, cells, |loads| {
         radius = of_loads(loads);
         radius
@@ -180,10 +181,10 @@ fn touching<F: Float, const N: usize>(
 fn cells_of_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
     estimate: &Estimate<F, N>,
-    approach: WithSlope<F, N>,
+    approach: Dual<F, N>,
     count: usize,
     cells: &mut Cells<F, N>,
-) -> (bool, WithSlope<F, N>) {
+) -> (bool, Dual<F, N>) {
     let mut zones = Zones::new(approach, curve.smoothing());
     let at_end = curve.zones(&mut zones, |y, height, slope| {
         let [deflection, bend] = estimate.deflection(y);
@@ -196,26 +197,26 @@ fn cells_of_zones<F: Float, const N: usize>(
 /// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when
 /// they approach by `δ`.
 struct Lengths<F, const N: usize> {
-    rim: WithSlope<F, N>,
+    rim: Dual<F, N>,
     /// About the logarithm of the axis ratio, times 1.13.
-    slenderness: WithSlope<F, N>,
-    approach: WithSlope<F, N>,
+    slenderness: Dual<F, N>,
+    approach: Dual<F, N>,
 }
 
 impl<F: Float, const N: usize> Lengths<F, N> {
-    fn new(width: WithSlope<F, N>, radius: WithSlope<F, N>, approach: WithSlope<F, N>) -> Self {
+    fn new(width: Dual<F, N>, radius: Dual<F, N>, approach: Dual<F, N>) -> Self {
         let ratio = width.times(1.0 / 2.1) / (radius * approach).sqrt();
         let logarithm = ratio.value.ln_quotient(F::one());
-        let logarithm = WithSlope::composed(logarithm, [F::one() / ratio.value], [ratio]);
+        let logarithm = Dual::composed(logarithm, [F::one() / ratio.value], [ratio]);
         let x = logarithm.times(1.13);
         let rim = (x / x.squared().times(1.53).plus(16.2).sqrt()).plus(1.0).times(0.5);
         Self { rim, slenderness: x, approach }
     }
 
     /// `a² = 2 R (1 − λ)(δ − h/λ)`, and at least about `0.06 R δ`.
-    fn at(&self, height: WithSlope<F, N>, radius: WithSlope<F, N>) -> WithSlope<F, N> {
+    fn at(&self, height: Dual<F, N>, radius: Dual<F, N>) -> Dual<F, N> {
         let double = radius.times(2.0);
-        let square = double * (WithSlope::one() - self.rim) * (self.approach - height / self.rim);
+        let square = double * (Dual::one() - self.rim) * (self.approach - height / self.rim);
         let least = (radius * self.approach).times(LEAST_SQUARE);
         let apart = square - least;
         let root = (apart.squared() + least.squared()).sqrt();
@@ -224,16 +225,16 @@ impl<F: Float, const N: usize> Lengths<F, N> {
 
     /// The power of a correction of the lengths. A correction of one length changes the condition
     /// at its neighbours as well, less so in slender patches.
-    fn power(&self, given: Given<WithSlope<F, N>>) -> WithSlope<F, N> {
+    fn power(&self, given: Given<Dual<F, N>>) -> Dual<F, N> {
         let more = match given {
             // 1.6/(1 + (g/0.6)^1.3)
             Given::Load(_) => {
                 let logarithm = self.slenderness.plus(0.510_825_623_765_990_7).times(1.3);
                 let power = logarithm.value.min(F::of(60.0)).exp();
-                let power = WithSlope::composed(power, [power], [logarithm]);
+                let power = Dual::composed(power, [power], [logarithm]);
                 power.plus(1.0).inverse().times(1.6)
             }
-            _ => WithSlope::constant(0.1),
+            _ => Dual::constant(0.1),
         };
         more.plus(2.0).inverse().times(POWER)
     }

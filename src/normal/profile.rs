@@ -6,9 +6,6 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, are_finite};
 use crate::status::Error;
 
-/// A number and its derivative with respect to the given load or approach.
-pub(super) type WithSlope<F, const N: usize> = Dual<F, N>;
-
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
 /// width of the patch.
 const SECTION: f64 = 0.55;
@@ -44,9 +41,9 @@ pub struct Profile<'a, F> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section<F, const N: usize> {
     /// Half the width of the parabola of the same volume \[m\].
-    pub half_width: WithSlope<F, N>,
+    pub half_width: Dual<F, N>,
     /// Rolling radius, its mean over the volume \[m\].
-    pub rolling_radius: WithSlope<F, N>,
+    pub rolling_radius: Dual<F, N>,
 }
 
 impl<'a, F: Float> Profile<'a, F> {
@@ -136,37 +133,28 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     /// Where the distance is least along `x`.
-    pub(super) fn centre_x<const N: usize>(&self, y: WithSlope<F, N>) -> WithSlope<F, N> {
+    pub(super) fn centre_x<const N: usize>(&self, y: Dual<F, N>) -> Dual<F, N> {
         if self.centre_x.is_empty() {
-            return WithSlope::zero();
+            return Dual::zero();
         }
         self.between(self.centre_x, 2, y)
     }
 
     /// The rolling radius at a place; `otherwise` is that of the contact.
-    pub(super) fn rolling_radius<const N: usize>(
-        &self,
-        y: WithSlope<F, N>,
-        otherwise: F,
-    ) -> WithSlope<F, N> {
+    pub(super) fn rolling_radius<const N: usize>(&self, y: Dual<F, N>, otherwise: F) -> Dual<F, N> {
         if self.rolling_radius.is_empty() {
-            return WithSlope::from_base(otherwise);
+            return Dual::from_base(otherwise);
         }
         self.between(self.rolling_radius, 3, y)
     }
 
     /// The distance of the bodies, straight between the points.
     pub(super) fn distance_at(&self, y: F) -> F {
-        self.between(self.distance, 1, WithSlope::<F, 0>::from_base(y)).value
+        self.between(self.distance, 1, Dual::<F, 0>::from_base(y)).value
     }
 
     /// Interpolates linearly between the points of a list, which is this one of those that move.
-    fn between<const N: usize>(
-        &self,
-        list: &[F],
-        number: usize,
-        y: WithSlope<F, N>,
-    ) -> WithSlope<F, N> {
+    fn between<const N: usize>(&self, list: &[F], number: usize, y: Dual<F, N>) -> Dual<F, N> {
         let next = self
             .y
             .partition_point(|place| *place < y.value)
@@ -176,7 +164,7 @@ impl<'a, F: Float> Profile<'a, F> {
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
         let (before, after) = (at(list, next - 1), at(list, next));
         let slope = (after - before) / (to - from);
-        let mut found = (y - WithSlope::from_base(from)).scale(slope).shift(before);
+        let mut found = (y - Dual::from_base(from)).scale(slope).shift(before);
         if let Some(motion) = self.motion {
             let share = (y.value - from) / (to - from);
             let points = [next - 1, next].map(|k| motion.moves_of_point(k));
@@ -193,33 +181,25 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// The length over which the distance is less than a level above `from`; between once and twice
     /// the level it counts less and less.
-    pub(super) fn low_length<const N: usize>(
-        &self,
-        level: WithSlope<F, N>,
-        from: F,
-    ) -> WithSlope<F, N> {
+    pub(super) fn low_length<const N: usize>(&self, level: Dual<F, N>, from: F) -> Dual<F, N> {
         let inverse = level.shift(F::TINY).inverse();
-        let one = WithSlope::one();
-        let mut length = WithSlope::zero();
+        let one = Dual::one();
+        let mut length = Dual::zero();
         for (y, distance) in self.y.windows(2).zip(self.distance.windows(2)) {
             let ([y, next], [here, there]) = (y, distance) else { continue };
             let height = here.times(0.5) + there.times(0.5) - from;
-            let share = WithSlope::constant(2.0) - inverse.scale(height);
-            length += share.max(WithSlope::zero()).min(one).scale(*next - *y);
+            let share = Dual::constant(2.0) - inverse.scale(height);
+            length += share.max(Dual::zero()).min(one).scale(*next - *y);
         }
         length
     }
 
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose
     /// profile has none.
-    pub(super) fn section<const N: usize>(
-        &self,
-        approach: WithSlope<F, N>,
-        radius: F,
-    ) -> Section<F, N> {
+    pub(super) fn section<const N: usize>(&self, approach: Dual<F, N>, radius: F) -> Section<F, N> {
         let level = approach.times(SECTION);
-        let mut volume = WithSlope::from_base(F::TINY);
-        let mut moment = WithSlope::from_base(radius * F::TINY);
+        let mut volume = Dual::from_base(F::TINY);
+        let mut moment = Dual::from_base(radius * F::TINY);
         // straight pieces between the points
         for (k, ends) in self.distance.windows(2).enumerate() {
             let [from, to] = ends else { continue };
@@ -245,11 +225,7 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// About the load over `E*`: of the ellipse with `a² = 1.1 R δ` and the width of the section,
     /// `N = (4/3) E* δ M(a, b)` with Gauss's mean `M`.
-    pub(super) fn load<const N: usize>(
-        &self,
-        approach: WithSlope<F, N>,
-        radius: F,
-    ) -> WithSlope<F, N> {
+    pub(super) fn load<const N: usize>(&self, approach: Dual<F, N>, radius: F) -> Dual<F, N> {
         let Section { half_width, rolling_radius } = self.section(approach, radius);
         let mut a = (rolling_radius * approach).times(2.0 * SECTION).sqrt();
         let mut b = half_width;
@@ -267,10 +243,10 @@ impl<'a, F: Float> Profile<'a, F> {
 /// logarithms between brackets, the last without a test, so that derivatives are those of the
 /// inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
-    target: WithSlope<F, 1>,
+    target: Dual<F, 1>,
     start: F,
-    mut function: impl FnMut(WithSlope<F, 1>) -> WithSlope<F, 1>,
-) -> Option<(WithSlope<F, 1>, u32)> {
+    mut function: impl FnMut(Dual<F, 1>) -> Dual<F, 1>,
+) -> Option<(Dual<F, 1>, u32)> {
     let (mut low, mut high) = (F::zero(), F::LARGEST);
     let mut x = start;
     let close = F::EPSILON.sqrt().max(F::of(1e-5));

@@ -2,8 +2,8 @@
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::normal::cells::Given;
-use crate::normal::profile::WithSlope;
 use crate::normal::smooth::length_for;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 
@@ -46,9 +46,9 @@ impl<F: Float> ProfileContact<F> {
         Ok(())
     }
 
-    pub(super) fn smoothing<const N: usize>(&self, half_width: WithSlope<F, N>) -> WithSlope<F, N> {
+    pub(super) fn smoothing<const N: usize>(&self, half_width: Dual<F, N>) -> Dual<F, N> {
         if self.smoothing_length > F::zero() {
-            WithSlope::from_base(self.smoothing_length)
+            Dual::from_base(self.smoothing_length)
         } else {
             length_for(half_width)
         }

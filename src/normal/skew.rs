@@ -15,7 +15,7 @@
 //! Widths and centres of the strips stay. Without skew every factor is exactly one.
 
 use crate::normal::cells::{Cells, Given};
-use crate::normal::profile::WithSlope;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 
 /// Distance of cells that hardly count in `m`, over the half length.
@@ -30,21 +30,18 @@ const AXES: [f64; 5] = [1.0 / 32.0, 0.00877391, 0.00136164, -0.05536114, 0.03584
 
 /// The fitted function of the logarithm of a number.
 #[inline(always)]
-fn by_constants<F: Float, const N: usize>(
-    x: WithSlope<F, N>,
-    [s, a, b, d, e]: [f64; 5],
-) -> WithSlope<F, N> {
-    let x = WithSlope::composed(x.value.ln(), [F::one() / x.value], [x]);
+fn by_constants<F: Float, const N: usize>(x: Dual<F, N>, [s, a, b, d, e]: [f64; 5]) -> Dual<F, N> {
+    let x = Dual::composed(x.value.ln(), [F::one() / x.value], [x]);
     x * ((x.times(b).plus(a) * x).plus(s) / (x * x.times(e).plus(d)).plus(1.0))
 }
 
-fn exponential<F: Float, const N: usize>(x: WithSlope<F, N>) -> WithSlope<F, N> {
+fn exponential<F: Float, const N: usize>(x: Dual<F, N>) -> Dual<F, N> {
     let value = x.value.exp();
-    WithSlope::composed(value, [value], [x])
+    Dual::composed(value, [value], [x])
 }
 
 /// `C₀` and `√(A/B)` of a contact whose semi-axes along `x` and across have this ratio.
-fn curvatures<F: Float, const N: usize>(ratio: WithSlope<F, N>) -> [WithSlope<F, N>; 2] {
+fn curvatures<F: Float, const N: usize>(ratio: Dual<F, N>) -> [Dual<F, N>; 2] {
     let inverse = ratio.inverse();
     let (sum, difference) = ((ratio + inverse).times(0.5), (ratio - inverse).times(0.5));
     let axes = exponential(by_constants(sum, AXES)).times(16.0 / 9.0);
@@ -62,10 +59,10 @@ fn curvatures<F: Float, const N: usize>(ratio: WithSlope<F, N>) -> [WithSlope<F,
 }
 
 /// Half length over half width of the ellipse that has the load's distribution, and `m`.
-fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [WithSlope<F, N>; 2] {
+fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [Dual<F, N>; 2] {
     let per_load = cells.load().shift(F::TINY).inverse();
     // of an ellipse Σ N a² = (4/5) a² Σ N and Σ N²/w = (3/5) (Σ N)²/b
-    let (mut length, mut crowded) = (WithSlope::zero(), WithSlope::zero());
+    let (mut length, mut crowded) = (Dual::zero(), Dual::zero());
     for cell in cells.list.iter() {
         let load = cell.load() * per_load;
         length += load * cell.half_length.squared();
@@ -73,7 +70,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [WithSlope<F, N>; 2] 
     }
     let square = length.times(1.25);
     let per_reach = square.times(NEAR * NEAR).inverse();
-    let (mut products, mut squares) = (WithSlope::zero(), WithSlope::from_base(F::TINY));
+    let (mut products, mut squares) = (Dual::zero(), Dual::from_base(F::TINY));
     let touching = || cells.list.iter().filter(|cell| cell.pressure.value > F::zero());
     for (i, cell) in touching().enumerate() {
         let load = cell.load() * per_load;
@@ -92,8 +89,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Skews the cells of the normal problem; returns the factor of the approach, one where it is
     /// given.
     #[inline(never)]
-    pub(super) fn skew(&mut self, given: Given<WithSlope<F, N>>) -> WithSlope<F, N> {
-        let [zero, one] = [WithSlope::zero(), WithSlope::one()];
+    pub(super) fn skew(&mut self, given: Given<Dual<F, N>>) -> Dual<F, N> {
+        let [zero, one] = [Dual::zero(), Dual::one()];
         // (the factors grow with the square of the skew)
         if self.list.iter().all(|cell| cell.centre_x.value == F::zero()) {
             return one;

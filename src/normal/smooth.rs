@@ -7,7 +7,8 @@
 
 use crate::normal::extremes::cuts;
 use crate::normal::parabola::{Parabola, STEPS, parabola};
-use crate::normal::profile::{Profile, WithSlope};
+use crate::normal::profile::Profile;
+use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::numerics::hermite::Cubic;
 use heapless::Vec;
@@ -40,9 +41,9 @@ const STUB: f64 = 1e-3;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Knot<F, const N: usize> {
     /// Moves with the smoothing length.
-    pub y: WithSlope<F, N>,
-    pub height: WithSlope<F, N>,
-    pub slope: WithSlope<F, N>,
+    pub y: Dual<F, N>,
+    pub height: Dual<F, N>,
+    pub slope: Dual<F, N>,
     /// Whether a piece joins this knot to the one before.
     pub joined: bool,
 }
@@ -52,7 +53,7 @@ pub(super) struct Knot<F, const N: usize> {
 pub(crate) struct SmoothedProfile<F, const N: usize> {
     pub(super) knots: Vec<Knot<F, N>, KNOTS>,
     /// Its lowest point.
-    pub(super) lowest: WithSlope<F, N>,
+    pub(super) lowest: Dual<F, N>,
     /// Where the distance is zero, above the lowest point of the profile.
     pub(super) zero: F,
     /// Numbers of the first knot that counts and of the one after the last.
@@ -60,7 +61,7 @@ pub(crate) struct SmoothedProfile<F, const N: usize> {
     /// Ends of the profile.
     pub(super) ends: [F; 2],
     /// Smoothing length \[m\].
-    pub(super) length: WithSlope<F, N>,
+    pub(super) length: Dual<F, N>,
     /// Whether the steps of the knots are those of the length where the profile is low.
     pub(super) is_wide: bool,
     /// Whether the curve counts as constant, without its derivatives with respect to load or
@@ -77,13 +78,13 @@ pub(super) fn low_level<F: Float>(profile: &Profile<F>) -> F {
 struct Grid<F, const N: usize> {
     ends: [F; 2],
     middle: F,
-    step: WithSlope<F, N>,
+    step: Dual<F, N>,
     /// Numbers of the knots at the ends.
     numbers: [i32; 2],
 }
 
 impl<F: Float, const N: usize> Grid<F, N> {
-    fn new(profile: &Profile<F>, step: WithSlope<F, N>) -> Self {
+    fn new(profile: &Profile<F>, step: Dual<F, N>) -> Self {
         let (ends, middle) = (profile.ends, profile.middle);
         let number = |end: F, outward: f64| {
             let steps = (end - middle) / step.value;
@@ -97,11 +98,11 @@ impl<F: Float, const N: usize> Grid<F, N> {
         Self { ends, middle, step, numbers }
     }
 
-    fn at(&self, knot: i32) -> WithSlope<F, N> {
+    fn at(&self, knot: i32) -> Dual<F, N> {
         if knot <= self.numbers[0] {
-            WithSlope::from_base(self.ends[0])
+            Dual::from_base(self.ends[0])
         } else if knot >= self.numbers[1] {
-            WithSlope::from_base(self.ends[1])
+            Dual::from_base(self.ends[1])
         } else {
             self.step.scale(F::widened(knot as f32)).shift(self.middle)
         }
@@ -110,9 +111,9 @@ impl<F: Float, const N: usize> Grid<F, N> {
 
 /// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a
 /// wide one.
-pub(super) fn length_for<F: Float, const N: usize>(half_width: WithSlope<F, N>) -> WithSlope<F, N> {
+pub(super) fn length_for<F: Float, const N: usize>(half_width: Dual<F, N>) -> Dual<F, N> {
     let narrow = half_width.times(2.0 * SHARE);
-    let widest = WithSlope::from_base(F::of(WIDEST));
+    let widest = Dual::from_base(F::of(WIDEST));
     // (m⁻⁴ + c⁻⁴)^(−1/4)
     let (small, large) = (narrow.min(widest), narrow.max(widest));
     let ratio = (small / large).squared().squared();
@@ -123,17 +124,13 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
     #[inline(never)]
-    pub(super) fn new(
-        profile: &Profile<F>,
-        length: WithSlope<F, N>,
-        level: WithSlope<F, N>,
-    ) -> Self {
+    pub(super) fn new(profile: &Profile<F>, length: Dual<F, N>, level: Dual<F, N>) -> Self {
         let mut curve = Self::nothing(profile);
         let low = (level, profile.lowest);
         curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
             curve.fill(profile, length, level.value, step)
         });
-        let mut lowest = WithSlope::from_base(F::LARGEST);
+        let mut lowest = Dual::from_base(F::LARGEST);
         curve.pieces(
             |knot| [knot.height, knot.slope],
             |_, cubic, length| {
@@ -152,12 +149,12 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     #[inline(never)]
     pub(crate) fn of_surfaces(profile: &Profile<F>, length: F) -> Self {
         let mut curve = Self::nothing(profile);
-        let length = WithSlope::from_base(length);
-        let low = (WithSlope::from_base(low_level(profile)), F::zero());
+        let length = Dual::from_base(length);
+        let low = (Dual::from_base(low_level(profile)), F::zero());
         curve.fill_all(profile, length, KNOTS_OF_SURFACES, low, |curve, length, step| {
             curve.fill_below(profile, length, step)
         });
-        (curve.still, curve.lowest) = (true, WithSlope::from_base(curve.zero));
+        (curve.still, curve.lowest) = (true, Dual::from_base(curve.zero));
         curve
     }
 
@@ -166,11 +163,11 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     fn nothing(profile: &Profile<F>) -> Self {
         Self {
             knots: Vec::new(),
-            lowest: WithSlope::zero(),
+            lowest: Dual::zero(),
             zero: -profile.lowest,
             range: [0, KNOTS],
             ends: profile.ends,
-            length: WithSlope::zero(),
+            length: Dual::zero(),
             is_wide: false,
             still: false,
         }
@@ -183,21 +180,21 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     fn fill_all(
         &mut self,
         profile: &Profile<F>,
-        length: WithSlope<F, N>,
+        length: Dual<F, N>,
         knots: f64,
-        (level, from): (WithSlope<F, N>, F),
-        mut fill: impl FnMut(&mut Self, WithSlope<F, N>, WithSlope<F, N>) -> bool,
+        (level, from): (Dual<F, N>, F),
+        mut fill: impl FnMut(&mut Self, Dual<F, N>, Dual<F, N>) -> bool,
     ) {
         let [first, last] = profile.ends;
         let whole = last - first;
-        let length = length.min(WithSlope::from_base(whole));
+        let length = length.min(Dual::from_base(whole));
         let floor = profile.step.times(STEPS);
         // s² = s₀² + (2.5 steps)², about as the parabolas have it
         self.length = length.squared().shift(floor * floor).sqrt();
         let mut step = self.length.times(1.0 / knots);
-        let least = WithSlope::from_base(whole.times(1.0 / PIECES));
+        let least = Dual::from_base(whole.times(1.0 / PIECES));
         // (a profile at the ends of the number range may be narrower than its steps can be)
-        step = step.max(least).max(WithSlope::tiny());
+        step = step.max(least).max(Dual::tiny());
         let share = 1.0 / (KNOTS as f64 * ROOM);
         if whole.times(share) > step.value {
             let low = profile.low_length(level, from).times(share);
@@ -214,9 +211,9 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     fn fill(
         &mut self,
         profile: &Profile<F>,
-        length: WithSlope<F, N>,
+        length: Dual<F, N>,
         level: F,
-        step: WithSlope<F, N>,
+        step: Dual<F, N>,
     ) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
@@ -276,12 +273,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     }
 
     /// Places knots around wherever the curve may be negative. Returns whether there was room.
-    fn fill_below(
-        &mut self,
-        profile: &Profile<F>,
-        length: WithSlope<F, N>,
-        step: WithSlope<F, N>,
-    ) -> bool {
+    fn fill_below(&mut self, profile: &Profile<F>, length: Dual<F, N>, step: Dual<F, N>) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
         let [low_end, high_end] = grid.numbers;
@@ -343,7 +335,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                     };
                     (height, slope) = (blended(height, above), blended(slope, F::zero()));
                 }
-                let (height, slope) = (WithSlope::from_base(height), WithSlope::from_base(slope));
+                let (height, slope) = (Dual::from_base(height), Dual::from_base(slope));
                 if self.knots.push(Knot { y, height, slope, joined }).is_err() {
                     return false;
                 }
@@ -357,8 +349,8 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// at its knots.
     pub(super) fn pieces(
         &self,
-        of: impl Fn(&Knot<F, N>) -> [WithSlope<F, N>; 2],
-        mut take: impl FnMut(&Knot<F, N>, &Cubic<WithSlope<F, N>>, WithSlope<F, N>),
+        of: impl Fn(&Knot<F, N>) -> [Dual<F, N>; 2],
+        mut take: impl FnMut(&Knot<F, N>, &Cubic<Dual<F, N>>, Dual<F, N>),
     ) {
         for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
             if next.joined {
@@ -370,21 +362,21 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     }
 
     /// Smoothing length \[m\].
-    pub(super) fn smoothing(&self) -> WithSlope<F, N> {
+    pub(super) fn smoothing(&self) -> Dual<F, N> {
         self.seen(self.length)
     }
 
-    pub(super) fn seen(&self, x: WithSlope<F, N>) -> WithSlope<F, N> {
-        if self.still { WithSlope::from_base(x.value) } else { x }
+    pub(super) fn seen(&self, x: Dual<F, N>) -> Dual<F, N> {
+        if self.still { Dual::from_base(x.value) } else { x }
     }
 
     /// Place, height above the lowest point, and slope of a knot.
-    pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F, N>) -> [WithSlope<F, N>; 3] {
+    pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F, N>) -> [Dual<F, N>; 3] {
         [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
     }
 
     /// Height above the lowest point.
-    pub(super) fn at(&self, y: WithSlope<F, N>) -> WithSlope<F, N> {
+    pub(super) fn at(&self, y: Dual<F, N>) -> Dual<F, N> {
         let next = self.knots.partition_point(|knot| knot.y.value < y.value);
         let next = next.min(self.knots.len().saturating_sub(1)).max(1);
         match self.knots.get(next - 1..=next) {
@@ -392,7 +384,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                 let ([from, height, slope], [to, high, steep]) = (self.knot(knot), self.knot(end));
                 Cubic::over(to - from, [height, high], [slope, steep]).value_at(y - from)
             }
-            _ => WithSlope::from_base(F::zero()),
+            _ => Dual::from_base(F::zero()),
         }
     }
 }
