@@ -43,16 +43,8 @@ impl<F: Float> StoredPatch<F> {
     /// A patch without strips and material.
     pub(crate) fn nothing() -> Self {
         let zero = F::zero();
-        let strip = PatchStrip {
-            y: zero,
-            width: zero,
-            half_length: zero,
-            centre_x: zero,
-            peak_pressure: zero,
-            friction: zero,
-        };
         Self {
-            strips: [strip; KSTRIP_PATCH_CAPACITY],
+            strips: [PatchStrip::default(); KSTRIP_PATCH_CAPACITY],
             shear_modulus: zero,
             poisson_ratio: zero,
             area_scale: zero,

@@ -43,7 +43,7 @@ pub struct Zone<F> {
 }
 
 /// Sums over connected strips.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 struct ZoneSums<F> {
     load: F,
     bound: F,
@@ -57,12 +57,6 @@ struct ZoneSums<F> {
 }
 
 impl<F: Float> ZoneSums<F> {
-    fn nothing() -> Self {
-        let zero = F::zero();
-        let centre = [zero; 2];
-        Self { load: zero, bound: zero, square: zero, centre, pressure: zero, volume: zero }
-    }
-
     /// Adds a strip; lengths and widths in the units of the patch, places from its middle.
     fn add(&mut self, strip: &PatchStrip<F>, units: &Sizes<F>, centre_x: F, weight: F) {
         let load = strip.load() * weight;
@@ -180,7 +174,7 @@ impl<F: Float> PatchView<'_, F> {
         let units = self.sizes();
         let first = strips.first()?;
         let mut walk = Walk::new(first, units.widths.per_width);
-        let mut sums = ZoneSums::nothing();
+        let mut sums = ZoneSums::default();
         let mut last = first;
         for strip in strips {
             if walk.pass(last, strip) < F::one() {
@@ -242,7 +236,7 @@ impl<F: Float> PatchView<'_, F> {
         let (own, after) = rest.split_first()?;
         let units = self.sizes();
         let per_strip = units.widths.per_width;
-        let mut sums = ZoneSums::nothing();
+        let mut sums = ZoneSums::default();
         sums.add(own, units, own.centre_x, F::one());
         let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
             let weight = walk.pass(last, strip);

@@ -124,7 +124,7 @@ impl<F: Float> WheelContact<F> {
     /// The axes of the wheel.
     pub(super) fn axes(&self) -> Axes<F> {
         let [roll, yaw] = self.turned;
-        let turn = Turn::new(&Position { roll, yaw, lateral: F::zero(), vertical: F::zero() });
+        let turn = Turn::new(&Position { roll, yaw, ..Position::default() });
         Axes { turn, left: self.left != 0 }
     }
 

@@ -145,8 +145,7 @@ impl<F: Float> Scene<'_, F> {
         let Some(slopes) = by_position else {
             return self.wrench(position, velocity, memory, derivatives);
         };
-        let none = [F::zero(); 6];
-        *slopes = WrenchByPosition { lateral: none, vertical: none, yaw: none, roll: none };
+        *slopes = WrenchByPosition::default();
         let is_straight = self.pair.rail_radius <= F::zero();
         if !is_straight {
             let step = F::of(if is_single::<F>() { 15e-6 } else { 1e-7 });

@@ -27,7 +27,7 @@ use crate::status::{Error, Warning};
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
 /// products add up to power.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wrench<F> {
     /// Force on the wheel, axes of the track \[N\]: forward, lateral, vertical (down; the rail's
     /// support is negative).
@@ -130,7 +130,7 @@ pub(super) fn sum_of_contacts<F: Float, const SLOPES: bool>(
     let (velocity, zero) = (velocity.members(), F::zero());
     Error::NotFinite.unless(are_finite(&velocity))?;
     if let Some(sums) = &mut derivatives {
-        **sums = WrenchDerivatives { velocity: [[zero; 6]; 6], friction: [zero; 6] };
+        **sums = WrenchDerivatives::default();
     }
     let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
     let mut warning = Warning::None;

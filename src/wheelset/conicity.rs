@@ -43,8 +43,7 @@ impl<F: Float> Wheelset<'_, F> {
         with_roll: bool,
         memory: &mut WheelsetWorkspace<F>,
     ) -> Result<F, Error> {
-        let zero = F::zero();
-        let mut here = Position { lateral, vertical: zero, yaw: zero, roll: zero };
+        let mut here = Position { lateral, ..Position::default() };
         let mut radii = [F::zero(); 2];
         for _ in 0..if with_roll { ROLLS } else { 1 } {
             let mut sinks = [F::zero(); 2];

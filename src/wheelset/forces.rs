@@ -3,7 +3,7 @@
 use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::kinematics::{Kinematics, Side, Ten, transposed_times};
 use crate::number::{Float, add, are_finite};
-use crate::status::{Error, Warning};
+use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::{Position, Velocity, dot};
@@ -20,7 +20,7 @@ pub struct WheelsetWorkspace<F> {
 
 /// Forces on a wheelset, on each wheel, and on each rail.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetForces<F> {
     /// Force on the wheelset \[N\], axes of the track, and moment about its centre \[N m\], its own
     /// axes; sums of dissipation, loads, contacts.
@@ -93,17 +93,7 @@ impl<F: Float> Wheelset<'_, F> {
         if let Some(sums) = &mut sums.by_position {
             **sums = WheelsetByPosition::default();
         }
-        let zero = F::zero();
-        let nothing = Wrench {
-            force: [zero; 3],
-            moment: [zero; 3],
-            dissipation: zero,
-            normal_force: zero,
-            contacts: 0,
-            warning: Warning::None,
-        };
-        let mut found =
-            WheelsetForces { wrench: nothing, wheel: [nothing; 2], rail: [[zero; 3]; 2] };
+        let mut found = WheelsetForces::default();
         let WheelsetForces { wrench: sum, wheel, rail } = &mut found;
         let outputs = memory.wheel.iter_mut().zip(wheel).zip(rail);
         for ((scene, side), ((memory, wheel), rail)) in
@@ -141,13 +131,11 @@ fn one_wheel<F: Float>(
     if by_velocity.is_none() && by_position.is_none() {
         return scene.solve(&position, &velocity, memory, None, None);
     }
-    let six = [F::zero(); 6];
-    let mut by = WrenchDerivatives { velocity: [six; 6], friction: six };
-    let mut moved = WrenchByPosition { lateral: six, vertical: six, yaw: six, roll: six };
+    let (mut by, mut moved) = (WrenchDerivatives::default(), WrenchByPosition::default());
     let wanted = by_position.is_some().then_some(&mut moved);
     let by_ahead = match &wanted {
         Some(_) => scene.by_rail_ahead(&position, &velocity, memory)?,
-        None => six,
+        None => [F::zero(); 6],
     };
     let wrench = scene.solve(&position, &velocity, memory, Some(&mut by), wanted)?;
     let columns = kinematics.columns();
