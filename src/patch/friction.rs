@@ -27,8 +27,9 @@ use crate::friction::derivatives::{AtFriction, BesidesSlopes, Differentiated, La
 use crate::friction::layered::LayerSlopes;
 use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
+use crate::number::Float;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+pub(crate) use crate::patch::slip::By;
 use crate::patch::slip::{PatchLayer, PatchSlip, Share};
 use crate::patch::solver;
 use crate::patch::{Patch, PatchView};
@@ -212,7 +213,7 @@ pub fn differentiate_patch<F: Float>(
         None => (F::one(), Warning::None),
     };
     let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
-    let (found, slopes, of_layer) =
+    let (found, slopes, of_layer, besides) =
         solver::patch_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
@@ -237,7 +238,6 @@ pub fn differentiate_patch<F: Float>(
         };
     let [x, y, z] = rows;
     let [by_x, by_y, by_z] = slopes.by_mismatch;
-    let besides = solver::slopes_besides(&scaled_patch, &scaled, model, problem.behind)?;
     let ([ox, oy, oz], [tx, ty, tz]) = (besides.forces, besides.translation);
     let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
         others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
@@ -282,15 +282,6 @@ pub fn differentiate_patch<F: Float>(
     } else {
         Err(Error::Overflow)
     }
-}
-
-/// A variable of derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum By {
-    /// The creepages of a strip, at its centre.
-    OwnCreepages,
-    /// A factor of the mismatch; the other two numbers are zero.
-    Mismatch,
 }
 
 /// Forces of one strip at its own centre, with derivatives while the share `λ` stays.
@@ -353,21 +344,13 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         number += 1;
     };
     if let Some(by) = by.filter(|_| SLOPES) {
-        let constant = Dual::from_base;
-        let slip = if by == By::OwnCreepages {
-            PatchSlip::fixed(creepage.inputs(), constant(F::one()), problem.behind)
-        } else {
-            let Creepage { longitudinal, lateral, spin } = creepage;
-            let [longitudinal, lateral, spin] = [longitudinal, lateral, spin].map(constant);
-            let creepage = Creepage { longitudinal, lateral, spin };
-            PatchSlip::fixed(creepage, Dual::input(F::one(), 0), problem.behind)
-        };
+        let slip = PatchSlip::with_slopes(&creepage, problem.behind, by);
         scaled.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
             let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
             // from the creepage at the origin to that at the centre
             let at_centre = |[x, y, spin]: [F; 3]| match by {
-                By::OwnCreepages => [x, y, spin + x * strip.y - y * strip.centre_x],
-                By::Mismatch => [x, y, spin],
+                By::Creepages => [x, y, spin + x * strip.y - y * strip.centre_x],
+                _ => [x, y, spin],
             };
             let forces = [share.fx, share.fy, moment];
             take(AtStrip {

@@ -6,7 +6,8 @@ use crate::friction::field::StripBehind;
 use crate::layer::bristles::{Bristles, Rates};
 use crate::layer::{Interface, Layer, Split};
 use crate::linear::LinearCoefficients;
-use crate::number::{Float, Number, scaled_down};
+use crate::number::dual::Dual;
+use crate::number::{Arithmetic, Float, Number, scaled_down};
 use crate::patch::PatchStrip;
 use crate::patch::zones::Zone;
 use crate::strip::StripForces;
@@ -81,6 +82,17 @@ pub(super) struct PatchSlip<T> {
     pub behind: Option<PatchLayer<T>>,
 }
 
+/// The variables of derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum By {
+    /// The creepages.
+    Creepages,
+    /// A factor of the mismatch; the other two derivatives are zero.
+    Mismatch,
+    /// The layer's depth and what sliding leaves of its stiffness; the third derivative is zero.
+    Layer,
+}
+
 /// A layer between the bodies of a patch, and what sliding leaves of its stiffness.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PatchLayer<T> {
@@ -96,14 +108,25 @@ impl<F: Float> PatchSlip<F> {
     }
 }
 
-impl<F: Float, T: Number<Base = F>> PatchSlip<T> {
-    /// With a layer that is no variable of the derivatives.
-    pub fn fixed(creepage: Creepage<T>, pressure: T, behind: Option<PatchLayer<F>>) -> Self {
-        let behind = behind.map(|PatchLayer { depth, slide }| PatchLayer {
-            depth: T::from_base(depth),
-            slide: T::from_base(slide),
-        });
-        Self { creepage, pressure, behind }
+impl<F: Float> PatchSlip<Dual<F, 3>> {
+    /// With derivatives.
+    pub fn with_slopes(creepage: &Creepage<F>, behind: Option<PatchLayer<F>>, by: By) -> Self {
+        let of = |own: F, index: usize, variable: By| {
+            if by == variable { Dual::input(own, index) } else { Dual::from_base(own) }
+        };
+        let Creepage { longitudinal, lateral, spin } = *creepage;
+        Self {
+            creepage: Creepage {
+                longitudinal: of(longitudinal, 0, By::Creepages),
+                lateral: of(lateral, 1, By::Creepages),
+                spin: of(spin, 2, By::Creepages),
+            },
+            pressure: of(F::one(), 0, By::Mismatch),
+            behind: behind.map(|PatchLayer { depth, slide }| PatchLayer {
+                depth: of(depth, 0, By::Layer),
+                slide: of(slide, 1, By::Layer),
+            }),
+        }
     }
 }
 

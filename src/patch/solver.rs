@@ -26,13 +26,13 @@ use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::BesidesSlopes;
-use crate::friction::layered::{LayerSlopes, WithSlopes};
+use crate::friction::layered::LayerSlopes;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, are_finite};
+use crate::number::{Float, Number, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
-    PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
+    By, PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
 };
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
@@ -258,10 +258,20 @@ struct PatchSums<T: Number> {
 
 impl<F: Float> Problem<'_, F> {
     fn sums<T: Number<Base = F>>(&self, slip: &PatchSlip<T>) -> PatchSums<T> {
+        self.sums_with(slip, |_, _| ())
+    }
+
+    /// The same, while every share is passed to `visit`.
+    fn sums_with<T: Number<Base = F>>(
+        &self,
+        slip: &PatchSlip<T>,
+        mut visit: impl FnMut(&PatchStrip<F>, &Share<T>),
+    ) -> PatchSums<T> {
         let (zero, none) = (T::zero(), F::zero());
         let mut sums =
             PatchSums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
         self.shares(slip, &mut |strip, share| {
+            visit(strip, &share);
             sums.power += share.besides;
             sums.fx += share.fx;
             sums.fy += share.fy;
@@ -356,25 +366,40 @@ pub fn patch_jacobian<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, slopes, _) = patch_with_slopes(patch, creepage, model, None)?;
+    let (solution, slopes, ..) = patch_with_slopes(patch, creepage, model, None)?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
 
 /// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
-/// results for other derivatives.
+/// results for other derivatives: those by the layer, and by a factor of the strips' own creepages.
 pub(super) fn patch_with_slopes<F: Float>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,
     model: Model,
     behind: Option<PatchLayer<F>>,
-) -> Result<WithSlopes<F>, Error> {
+) -> Result<(Solution<F>, Slopes<F>, LayerSlopes<F>, BesidesSlopes<F>), Error> {
     let problem = Problem::new(patch, creepage, model)?;
-    let constant = Dual::from_base;
-    let pressure = constant(F::one());
-    let inputs = PatchSlip::fixed(creepage.inputs(), pressure, behind);
-    let found = problem.sums(&inputs);
-    let PatchSums { fx, fy, mz, power, stick, area } = found;
+    let sums = |by: By| problem.sums(&PatchSlip::with_slopes(creepage, behind, by));
+    let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
+    let (mut besides, mut number) = (BesidesSlopes::default(), 0);
+    let PatchSums { fx, fy, mz, power, stick, area } =
+        problem.sums_with(&inputs, |strip, share| {
+            let Some(own) = patch.own(number) else { return };
+            number += 1;
+            let Creepage { longitudinal, lateral, .. } =
+                creepage_at(&own, -strip.centre_x, -strip.y);
+            let moved =
+                |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
+            let power = share.power(&inputs.creepage);
+            let entries = besides.forces.iter_mut().zip(&mut besides.translation);
+            for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
+                *all += moved(force) + force.derivative(2) * own.spin;
+                *translation += moved(force);
+            }
+            besides.power += moved(power) + power.derivative(2) * own.spin;
+            besides.power_translation += moved(power);
+        });
     let jacobian = [fx.gradient, fy.gradient, mz.gradient];
     let mut slopes = Slopes {
         derivatives: Derivatives { jacobian, ..Derivatives::default() },
@@ -384,27 +409,13 @@ pub(super) fn patch_with_slopes<F: Float>(
         power_by_mismatch: F::zero(),
     };
     if patch.mismatch() != F::zero() && !model.is_of_1967() {
-        // The factor of pressure takes the place of spin as the third variable.
-        let Creepage { longitudinal, lateral, spin } = creepage.inputs();
-        let spin = constant(spin.value);
-        let pressure = Dual::input(F::one(), 2);
-        let creepage = Creepage { longitudinal, lateral, spin };
-        let moved = PatchSlip::fixed(creepage, pressure, behind);
-        let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
-        let [x, y, z, of_power] = [fx, fy, mz, power].map(|Dual { gradient: [.., last], .. }| last);
-        (slopes.by_mismatch, slopes.power_by_mismatch) = ([x, y, z], of_power);
+        let PatchSums { fx, fy, mz, power, .. } = sums(By::Mismatch);
+        slopes.by_mismatch = [fx, fy, mz].map(|sum| sum.derivative(0));
+        slopes.power_by_mismatch = power.derivative(0);
     }
     let mut of_layer = LayerSlopes::default();
-    if let Some(PatchLayer { depth, slide }) = behind {
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let behind = PatchLayer { depth: Dual::input(depth, 0), slide: Dual::input(slide, 1) };
-        let creepage = Creepage {
-            longitudinal: constant(longitudinal),
-            lateral: constant(lateral),
-            spin: constant(spin),
-        };
-        let moved = PatchSlip { creepage, pressure, behind: Some(behind) };
-        let PatchSums { fx, fy, mz, power, .. } = problem.sums(&moved);
+    if let Some(PatchLayer { depth, .. }) = behind {
+        let PatchSums { fx, fy, mz, power, .. } = sums(By::Layer);
         let unit = patch.shear_modulus();
         of_layer.forces[0] = [fx, fy, mz].map(|sum| sum.derivative(0) * unit);
         of_layer.forces[1] = [fx, fy, mz].map(|sum| sum.derivative(1));
@@ -415,38 +426,7 @@ pub(super) fn patch_with_slopes<F: Float>(
     let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
     let mut entries = jacobian.iter().flatten().chain(others);
     Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
-    Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer))
-}
-
-/// The derivatives with respect to a factor of the strips' own creepages.
-pub(super) fn slopes_besides<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-    behind: Option<PatchLayer<F>>,
-) -> Result<BesidesSlopes<F>, Error> {
-    let mut sums = BesidesSlopes::default();
-    if !patch.has_own() {
-        return Ok(sums);
-    }
-    let inputs = creepage.inputs();
-    let slip = PatchSlip::fixed(inputs, Dual::from_base(F::one()), behind);
-    let mut number = 0;
-    Problem::new(patch, creepage, model)?.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
-        let Some(own) = patch.own(number) else { return };
-        number += 1;
-        let Creepage { longitudinal, lateral, .. } = creepage_at(&own, -strip.centre_x, -strip.y);
-        let moved = |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
-        let power = share.power(&inputs);
-        let entries = sums.forces.iter_mut().zip(&mut sums.translation);
-        for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
-            *all += moved(force) + force.derivative(2) * own.spin;
-            *translation += moved(force);
-        }
-        sums.power += moved(power) + power.derivative(2) * own.spin;
-        sums.power_translation += moved(power);
-    });
-    Ok(sums)
+    Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer, besides))
 }
 
 /// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the

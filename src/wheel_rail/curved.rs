@@ -207,7 +207,7 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let (mut wrench, mut power, mut by_velocity, mut power_by) = (none, zero, [none; 6], none);
         // by a factor of all creepages
         let (mut along, mut power_along) = (none, zero);
-        let by = SLOPES.then_some(By::OwnCreepages);
+        let by = SLOPES.then_some(By::Creepages);
         let found =
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
                 let rows = rows(k);
