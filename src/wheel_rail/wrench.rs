@@ -73,7 +73,7 @@ pub struct WrenchByPosition<F> {
 
 impl<F> WrenchByPosition<F> {
     /// The columns, in the order of the members of a position.
-    pub(super) fn columns(&mut self) -> [&mut [F; 6]; 4] {
+    pub(crate) fn columns(&mut self) -> [&mut [F; 6]; 4] {
         let Self { lateral, vertical, yaw, roll } = self;
         [lateral, vertical, yaw, roll]
     }

@@ -54,12 +54,6 @@ pub struct WheelsetByPosition<F> {
     pub position: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
 }
 
-/// What a wheel contributes to the requested derivatives.
-pub(super) struct RequestedDerivatives<'a, F> {
-    pub by_velocity: Option<&'a mut WheelsetDerivatives<F>>,
-    pub by_position: Option<&'a mut WheelsetByPosition<F>>,
-}
-
 /// A wheelset on its rails: the right wheel and the left one.
 #[derive(Clone, Copy)]
 pub struct Wheelset<'a, F> {
@@ -80,17 +74,16 @@ impl<F: Float> Wheelset<'_, F> {
         position: &Position<F>,
         velocity: &Velocity<F>,
         memory: &mut WheelsetWorkspace<F>,
-        by_velocity: Option<&mut WheelsetDerivatives<F>>,
-        by_position: Option<&mut WheelsetByPosition<F>>,
+        mut by_velocity: Option<&mut WheelsetDerivatives<F>>,
+        mut by_position: Option<&mut WheelsetByPosition<F>>,
     ) -> Result<WheelsetForces<F>, Error> {
-        let mut sums = RequestedDerivatives { by_velocity, by_position };
         position.check()?;
         let own = velocity.members();
         Error::NotFinite.unless(are_finite(&own))?;
-        if let Some(sums) = &mut sums.by_velocity {
+        if let Some(sums) = &mut by_velocity {
             **sums = WheelsetDerivatives::default();
         }
-        if let Some(sums) = &mut sums.by_position {
+        if let Some(sums) = &mut by_position {
             **sums = WheelsetByPosition::default();
         }
         let mut found = WheelsetForces::default();
@@ -101,7 +94,8 @@ impl<F: Float> Wheelset<'_, F> {
         {
             side.motion.check()?;
             let kinematics = Kinematics::new(*side, position);
-            *wheel = one_wheel(scene, &kinematics, &own, memory, &mut sums)?;
+            let (by, moved) = (by_velocity.as_deref_mut(), by_position.as_deref_mut());
+            *wheel = one_wheel(scene, &kinematics, &own, memory, by, moved)?;
             let ten = transposed_times(&kinematics.columns(), &wheel.members());
             add(&mut sum.force, ten);
             add(&mut sum.moment, ten.into_iter().skip(3));
@@ -122,12 +116,12 @@ fn one_wheel<F: Float>(
     kinematics: &Kinematics<F>,
     own: &[F; 6],
     memory: &mut Workspace<F>,
-    sums: &mut RequestedDerivatives<'_, F>,
+    by_velocity: Option<&mut WheelsetDerivatives<F>>,
+    by_position: Option<&mut WheelsetByPosition<F>>,
 ) -> Result<Wrench<F>, Error> {
     let (position, velocity) = (kinematics.position(), kinematics.velocity(own));
     let pair = kinematics.pair(scene.pair);
     let scene = &Scene { pair: &pair, ..*scene };
-    let RequestedDerivatives { by_velocity, by_position } = sums;
     if by_velocity.is_none() && by_position.is_none() {
         return scene.solve(&position, &velocity, memory, None, None);
     }
@@ -147,56 +141,28 @@ fn one_wheel<F: Float>(
         }
     }
     if let Some(sums) = by_position {
+        let members = wrench.members();
+        let [_, _, _, roll_rate, _, yaw_rate] = *own;
         for k in 0..KSTRIP_WHEELSET_FREEDOMS {
-            let by_ahead = by_ahead.map(|slope| slope * kinematics.rail_ahead_by(k));
-            let moved = [by_ahead, moved_by(&moved, kinematics, k)];
-            let column = by_freedom(kinematics, k, own, &wrench, &by, moved, &columns);
+            // Aᵀ (∂W/∂q + ∂W/∂w ∂A/∂q u) + ∂Aᵀ/∂q W
+            let mut change = [F::zero(); 6];
+            for (slopes, share) in moved.columns().into_iter().zip(kinematics.position_by(k)) {
+                add(&mut change, slopes.map(|slope| slope * share));
+            }
+            add(&mut change, by_ahead.map(|slope| slope * kinematics.rail_ahead_by(k)));
+            let turned = kinematics.columns_by(k);
+            for (column, rate) in turned.iter().zip([roll_rate, yaw_rate]) {
+                add(&mut change, by.velocity.map(|row| dot(&row, column) * rate));
+            }
+            let mut column = transposed_times(&columns, &change);
+            let [in_roll, in_yaw] = turned.map(|column| dot(&column, &members));
+            let [_, _, _, roll, _, yaw, ..] = &mut column;
+            *roll += in_roll;
+            *yaw += in_yaw;
             add_column(&mut sums.position, k, &column);
         }
     }
     Ok(wrench)
-}
-
-/// `∂W/∂q` of one freedom, through the four members of the wheel's position.
-fn moved_by<F: Float>(
-    moved: &WrenchByPosition<F>,
-    kinematics: &Kinematics<F>,
-    freedom: usize,
-) -> [F; 6] {
-    let WrenchByPosition { lateral, vertical, yaw, roll } = moved;
-    let mut change = [F::zero(); 6];
-    for (slopes, share) in
-        [lateral, vertical, yaw, roll].into_iter().zip(kinematics.position_by(freedom))
-    {
-        add(&mut change, slopes.map(|slope| slope * share));
-    }
-    change
-}
-
-/// `Aᵀ (∂W/∂q + ∂W/∂w ∂A/∂q u) + ∂Aᵀ/∂q W` for one freedom.
-fn by_freedom<F: Float>(
-    kinematics: &Kinematics<F>,
-    freedom: usize,
-    own: &[F; 6],
-    wrench: &Wrench<F>,
-    by: &WrenchDerivatives<F>,
-    moved: [[F; 6]; 2],
-    columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS],
-) -> Ten<F> {
-    let [mut change, others] = moved;
-    add(&mut change, others);
-    let turned = kinematics.columns_by(freedom);
-    let [_, _, _, roll_rate, _, yaw_rate] = *own;
-    for (column, rate) in turned.iter().zip([roll_rate, yaw_rate]) {
-        add(&mut change, by.velocity.map(|row| dot(&row, column) * rate));
-    }
-    let mut column = transposed_times(columns, &change);
-    let members = wrench.members();
-    let [in_roll, in_yaw] = turned.map(|column| dot(&column, &members));
-    let [_, _, _, roll, _, yaw, ..] = &mut column;
-    *roll += in_roll;
-    *yaw += in_yaw;
-    column
 }
 
 fn add_column<F: Float>(

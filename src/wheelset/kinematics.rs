@@ -10,7 +10,7 @@
 
 use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::track::RailMotion;
-use crate::number::Float;
+use crate::number::{Float, add};
 use crate::wheel_rail::{Position, Velocity, WheelPair, dot, sine_cosine};
 
 /// The ten velocities, or ten forces.
@@ -84,9 +84,7 @@ impl<F: Float> Kinematics<F> {
         let columns = self.columns();
         let mut sums = [F::zero(); 6];
         for (column, own) in columns.iter().zip(own) {
-            for (sum, entry) in sums.iter_mut().zip(column) {
-                *sum += *entry * *own;
-            }
+            add(&mut sums, column.map(|entry| entry * *own));
         }
         let [forward, lateral, vertical, roll, pitch, yaw] = sums;
         let RailMotion { lateral_velocity, vertical_velocity, .. } = self.side.motion;
@@ -97,23 +95,16 @@ impl<F: Float> Kinematics<F> {
     /// The columns of `A`: the wheel's velocity over its rail by the ten velocities.
     pub fn columns(&self) -> [[F; 6]; KSTRIP_WHEELSET_FREEDOMS] {
         let Self { side: Side { arm, rail, .. }, axes: [ahead, _, down], .. } = *self;
-        let one = F::one();
-        core::array::from_fn(|k| {
-            let mut column = [F::zero(); 6];
-            let (place, entry) = match k {
-                0..6 => (k, one),
-                _ if k == rail => (1, -one),
-                _ if k == rail + 1 => (2, -one),
-                _ => return column,
-            };
-            if let Some(place) = column.get_mut(place) {
-                *place = entry;
-            }
-            match k {
-                3 => add_turned(column, arm, down),
-                5 => add_turned(column, -arm, ahead),
-                _ => column,
-            }
+        let unit = |place: usize, size: F| {
+            core::array::from_fn(|i| if i == place { size } else { F::zero() })
+        };
+        core::array::from_fn(|k| match k {
+            3 => add_turned(unit(3, F::one()), arm, down),
+            5 => add_turned(unit(5, F::one()), -arm, ahead),
+            0..6 => unit(k, F::one()),
+            _ if k == rail => unit(1, -F::one()),
+            _ if k == rail + 1 => unit(2, -F::one()),
+            _ => [F::zero(); 6],
         })
     }
 

@@ -90,6 +90,9 @@ impl<F: Float> Wheelset<'_, F> {
         let speed = velocity.forward + right.pair.rail_speed;
         let pitch_rate = -speed / radius;
         let (mut here, mut moves) = (position, Velocity { pitch: pitch_rate, ..*velocity });
+        let settled = |position: Position<F>, velocity: Velocity<F>, forces: WheelsetForces<F>| {
+            Settled { position, velocity, forces, warning: forces.wrench.warning }
+        };
         let rest_of = |forces: &WheelsetForces<F>| {
             let [_, _, down, over, about, _] = forces.wrench.members();
             [
@@ -109,8 +112,7 @@ impl<F: Float> Wheelset<'_, F> {
             let forces = self.solve(&here, &moves, memory, Some(&mut slopes), Some(&mut moved))?;
             rest = rest_of(&forces);
             if size(&rest) <= least {
-                let warning = forces.wrench.warning;
-                return Ok(Settled { position: here, velocity: moves, forces, warning });
+                return Ok(settled(here, moves, forces));
             }
             // by the heights of both wheels, and by the pitch rate
             let scale = [vertical, vertical * width, vertical * radius];
@@ -129,11 +131,9 @@ impl<F: Float> Wheelset<'_, F> {
                 }
                 by
             };
-            let [right, left] = [by_height(width), by_height(-width)];
-            let Some(step) = by_cramers_rule(right, left, column(&slopes.velocity, 4), rest) else {
-                break;
-            };
-            let [right, left, pitch] = step;
+            let (right, left) = (by_height(width), by_height(-width));
+            let step = by_cramers_rule(right, left, column(&slopes.velocity, 4), rest);
+            let Some([right, left, pitch]) = step else { break };
             // both heights keep their ratio
             let most = right.abs().max(left.abs());
             let rim = pitch.abs() * radius;
@@ -157,9 +157,7 @@ impl<F: Float> Wheelset<'_, F> {
                 share = share.times(0.5);
             }
             if is_rounding && size(&rest) < F::of(NEARLY) {
-                let forces = self.solve(&here, &moves, memory, None, None)?;
-                let warning = forces.wrench.warning;
-                return Ok(Settled { position: here, velocity: moves, forces, warning });
+                return Ok(settled(here, moves, self.solve(&here, &moves, memory, None, None)?));
             }
             break;
         }
@@ -169,7 +167,7 @@ impl<F: Float> Wheelset<'_, F> {
         Error::WheelLifted.when(lifts || forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
         Error::ForceBeyondFriction.when(about > down.max(over) && about > F::of(1e-3))?;
         let warning = forces.wrench.warning.worse(Warning::NotConverged);
-        Ok(Settled { position: here, velocity: moves, forces, warning })
+        Ok(Settled { warning, ..settled(here, moves, forces) })
     }
 
     /// Whether a wheel lifts where the other one carries the whole load: the roll moment turns the
