@@ -20,7 +20,7 @@
 //! and takes the neighbour's value as its width vanishes.
 
 pub use crate::normal::cell::CELLS;
-pub(crate) use crate::normal::cell::{Cell, Cells, FEW};
+pub(crate) use crate::normal::cell::{Cell, Cells};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
 use crate::number::avx::with_avx;

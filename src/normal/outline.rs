@@ -14,6 +14,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float};
 use crate::status::Error;
 use core::f64::consts::PI;
+use heapless::Vec;
 
 /// Share of the estimated deflection that lies between the undeformed bodies at the edge of the
 /// contact.
@@ -37,10 +38,25 @@ const fn number_of_cells(count: StripCount) -> usize {
     }
 }
 
-/// Whether patches of so many strips have no more than [`FEW`] cells: there is one more for each
-/// zone but the first.
-pub(crate) const fn are_few(count: StripCount) -> bool {
-    FEW == CELLS || number_of_cells(count) + ZONES <= FEW
+/// Passes memory for the cells of a patch of so many strips to a function. Most patches have no
+/// more than [`FEW`] cells: there is one more for each zone but the first.
+pub(crate) fn with_cells<F: Float, R, const N: usize>(
+    count: StripCount,
+    function: impl FnOnce(&mut Cells<F, N>) -> R,
+) -> R {
+    if FEW == CELLS || number_of_cells(count) + ZONES <= FEW {
+        with_room_for::<F, R, N, FEW>(function)
+    } else {
+        with_room_for::<F, R, N, CELLS>(function)
+    }
+}
+
+#[inline(never)]
+fn with_room_for<F: Float, R, const N: usize, const ROOM: usize>(
+    function: impl FnOnce(&mut Cells<F, N>) -> R,
+) -> R {
+    let mut list = Vec::<_, ROOM>::new();
+    function(&mut Cells { list: list.as_mut_view() })
 }
 
 /// What is known of the cells besides.

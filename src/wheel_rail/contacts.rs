@@ -30,14 +30,12 @@ use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_c
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::Indentation;
-use crate::normal::cells::{CELLS, Cells, FEW};
-use crate::normal::outline::are_few;
+use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::dual::Dual;
 use crate::number::{Float, are_finite, length};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
-use heapless::Vec;
 
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
@@ -321,47 +319,30 @@ pub fn from_gap<F: Float>(
     strips: &mut StoredPatch<F>,
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<ContactCount, Error> {
-    if are_few(count) {
-        with_room::<F, FEW>(gap, pair, position, count, strips, contacts)
-    } else {
-        with_room::<F, CELLS>(gap, pair, position, count, strips, contacts)
-    }
-}
-
-/// The same with room for so many cells.
-#[inline(never)]
-fn with_room<F: Float, const ROOM: usize>(
-    gap: &Gap<F>,
-    pair: &WheelPair<F>,
-    position: &Position<F>,
-    count: StripCount,
-    strips: &mut StoredPatch<F>,
-    contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
-) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;
     let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
-    let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
-    let mut groups = Groups::new();
-    found.apart = group_zones(&curve, &mut groups)?;
-    let mut list = Vec::<_, ROOM>::new();
-    let mut cells = Cells { list: list.as_mut_view() };
-    for group in &groups {
-        curve.restrict(&group.whole);
-        let approach = Dual::input(group.whole.depth, 0);
-        let mut pressed = view.press(&profile, &curve, approach, count, &mut cells)?;
-        view.strips(&cells, |own| own.value, &mut pressed, strips)?;
-        if strips.count == 0 {
-            continue;
+    with_cells(count, |cells| {
+        let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
+        let mut groups = Groups::new();
+        found.apart = group_zones(&curve, &mut groups)?;
+        for group in &groups {
+            curve.restrict(&group.whole);
+            let approach = Dual::input(group.whole.depth, 0);
+            let mut pressed = view.press(&profile, &curve, approach, count, cells)?;
+            view.strips(cells, |own| own.value, &mut pressed, strips)?;
+            if strips.count == 0 {
+                continue;
+            }
+            let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
+            contact.fill(&view, strips, &pressed);
+            contact.share = group.share.clamped(F::zero(), F::one());
+            Error::Overflow.unless(contact.is_finite())?;
+            found.written += 1;
+            if contact.is_conformal() {
+                found.warning = Warning::AngleRange;
+            }
         }
-        let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
-        contact.fill(&view, strips, &pressed);
-        contact.share = group.share.clamped(F::zero(), F::one());
-        Error::Overflow.unless(contact.is_finite())?;
-        found.written += 1;
-        if contact.is_conformal() {
-            found.warning = Warning::AngleRange;
-        }
-    }
-    Ok(found)
+        Ok(found)
+    })
 }

@@ -153,7 +153,7 @@ impl<F: Float> Scene<'_, F> {
         let bound = self.pair.shear_modulus.times(CRUSHED);
         let crushed = memory.found().iter().any(|contact| contact.peak_pressure() > bound);
         let support = if trend.falls || crushed { Warning::Support } else { Warning::None };
-        support.worse(self.plausibility(memory))
+        support.worse(self.plausibility(memory.found()))
     }
 
     /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;

@@ -14,8 +14,8 @@
 //! Everything else is no wheel, no rail, or neither; so is a profile with another flat part far
 //! above: the top of a flange that is upside down. Profiles without steep parts may be both.
 
-use super::WheelPair;
 use super::contacts::WheelContact;
+use super::scene::Scene;
 use super::surface::{CurvePoint, Surface};
 use crate::contact::plausibility::{LARGEST_FRICTION, LARGEST_PRESSURE, LARGEST_RADIUS};
 use crate::number::Float;
@@ -105,37 +105,35 @@ impl<F: Float> Surface<F> {
     }
 }
 
-/// What is implausible about a wheel on a rail and their contacts; the profiles are examined first.
-pub(super) fn implausibility_of_wheel<F: Float>(
-    rail: &Surface<F>,
-    wheel: &Surface<F>,
-    pair: &WheelPair<F>,
-    contacts: &[WheelContact<F>],
-) -> Warning {
-    let of_rail = rail.implausible(rail.form & NO_RAIL != 0);
-    let of_profiles = of_rail.worse(wheel.implausible(wheel.form & NO_WHEEL != 0));
-    let places = pair.friction_at.get(..pair.friction_points as usize).unwrap_or(&[]);
-    let friction = if places.is_empty() { &[pair.friction] } else { places };
-    let friction = friction.iter().fold(F::zero(), |most, friction| most.max(*friction));
-    let pressure = pair.shear_modulus.times(LARGEST_PRESSURE);
-    let is_coarse = |width| rail.is_coarse_for(width) || wheel.is_coarse_for(width);
-    if of_profiles != Warning::None {
-        of_profiles
-    } else if pair.wheel_radius > F::of(LARGEST_RADIUS) {
-        Warning::Radius
-    } else if pair.shear_modulus < F::of(SOFTEST) {
-        Warning::Modulus
-    } else if friction > F::of(LARGEST_FRICTION) {
-        Warning::Friction
-    } else if friction <= F::zero() && pair.poisson_ratio <= F::zero() {
-        Warning::Unset
-    } else if contacts.iter().any(|contact| contact.peak_pressure() > pressure) {
-        Warning::Pressure
-    } else if contacts.iter().any(|contact| contact.angle > F::of(LARGEST_ANGLE)) {
-        Warning::Orientation
-    } else if contacts.iter().map(WheelContact::width).any(is_coarse) {
-        Warning::ProfileCoarse
-    } else {
-        Warning::None
+impl<F: Float> Scene<'_, F> {
+    /// What is implausible about the scene and its contacts; the profiles are examined first.
+    pub(super) fn plausibility(&self, contacts: &[WheelContact<F>]) -> Warning {
+        let Self { rail, wheel, pair, .. } = *self;
+        let of_rail = rail.implausible(rail.form & NO_RAIL != 0);
+        let of_profiles = of_rail.worse(wheel.implausible(wheel.form & NO_WHEEL != 0));
+        let places = pair.friction_at.get(..pair.friction_points as usize).unwrap_or(&[]);
+        let friction = if places.is_empty() { &[pair.friction] } else { places };
+        let friction = friction.iter().fold(F::zero(), |most, friction| most.max(*friction));
+        let pressure = pair.shear_modulus.times(LARGEST_PRESSURE);
+        let is_coarse = |width| rail.is_coarse_for(width) || wheel.is_coarse_for(width);
+        if of_profiles != Warning::None {
+            of_profiles
+        } else if pair.wheel_radius > F::of(LARGEST_RADIUS) {
+            Warning::Radius
+        } else if pair.shear_modulus < F::of(SOFTEST) {
+            Warning::Modulus
+        } else if friction > F::of(LARGEST_FRICTION) {
+            Warning::Friction
+        } else if friction <= F::zero() && pair.poisson_ratio <= F::zero() {
+            Warning::Unset
+        } else if contacts.iter().any(|contact| contact.peak_pressure() > pressure) {
+            Warning::Pressure
+        } else if contacts.iter().any(|contact| contact.angle > F::of(LARGEST_ANGLE)) {
+            Warning::Orientation
+        } else if contacts.iter().map(WheelContact::width).any(is_coarse) {
+            Warning::ProfileCoarse
+        } else {
+            Warning::None
+        }
     }
 }

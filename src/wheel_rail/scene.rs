@@ -1,7 +1,6 @@
 //! Force and moment for a position, and the height of a wheel that carries a load.
 
 use super::contacts::{self, WheelContact};
-use super::plausibility;
 use super::steps::Steps;
 use super::surface::Surface;
 use super::touch::{Gap, touch_of_pair};
@@ -126,12 +125,7 @@ impl<F: Float> Scene<'_, F> {
         by_position: Option<&mut WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         let found = self.with_slopes(position, velocity, memory, derivatives, by_position)?;
-        Ok(Wrench { warning: found.warning.worse(self.plausibility(memory)), ..found })
-    }
-
-    /// What is implausible about the scene and the contacts that were found.
-    pub(super) fn plausibility(&self, memory: &Workspace<F>) -> Warning {
-        plausibility::implausibility_of_wheel(self.rail, self.wheel, self.pair, memory.found())
+        Ok(Wrench { warning: found.warning.worse(self.plausibility(memory.found())), ..found })
     }
 
     fn with_slopes(

@@ -11,15 +11,14 @@ use super::touch::Gap;
 use super::view::{self, View};
 use super::{Position, WheelPair};
 use crate::contact::totals::StripCount;
-use crate::normal::cells::{CELLS, Cell, Cells, FEW};
+use crate::normal::cells::{Cell, Cells};
 use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
-use crate::normal::outline::are_few;
+use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Float, Number, length};
 use crate::patch::StoredPatch;
 use crate::status::Error;
-use heapless::Vec;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
@@ -70,81 +69,67 @@ impl<F: Float> Steps<'_, F> {
         contact: &mut WheelContact<F>,
         take: &mut Take<'_, F>,
     ) -> Result<[F; DIRECTIONS], Error> {
-        if are_few(self.strips) {
-            self.contacts_in::<FEW>(gap, strips, contact, take)
-        } else {
-            self.contacts_in::<CELLS>(gap, strips, contact, take)
-        }
-    }
-
-    /// The same with room for so many cells.
-    #[inline(never)]
-    fn contacts_in<const ROOM: usize>(
-        &self,
-        gap: &Gap<F>,
-        strips: &mut StoredPatch<F>,
-        contact: &mut WheelContact<F>,
-        take: &mut Take<'_, F>,
-    ) -> Result<[F; DIRECTIONS], Error> {
         let Self { rail, pair, position, creepage, sides, strips: count } = *self;
         let view = View::new(gap, pair, position)?;
         let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
         let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
         let Some(profile) = view.profile()? else { return Ok([F::one(); DIRECTIONS]) };
-        let mut curve =
-            SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
-        let mut groups = Groups::new();
-        group_zones(&curve, &mut groups)?;
-        let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
-        let step = |direction| view.step_in(&moves, direction, deepest, creepage);
-        let steps = core::array::from_fn(step);
-        let mut list = Vec::<_, ROOM>::new();
-        let mut cells = Cells { list: list.as_mut_view() };
-        for first in (0..DIRECTIONS).step_by(TOGETHER) {
-            let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
-            let mut moves = moves;
-            moves.first = first;
-            let profile = profile.moving(&moves);
-            curve.follow(&profile, &moves, pair.smoothing_length);
-            let mut rates = [[F::zero(); GROUPS]; TOGETHER];
-            for (direction, rates) in rates.iter_mut().enumerate() {
-                rates_of_shares(&curve, &groups, direction, rates)?;
-            }
-            for (number, group) in groups.iter().enumerate() {
-                curve.restrict(&group.whole);
-                let depth = curve.depth(&group.whole);
-                let mut pressed = view.press(&profile, &curve, depth, count, &mut cells)?;
-                let mut shares = [F::one(); TOGETHER];
-                if sides == 2 {
-                    shorten(&mut shares, &cells, steps.clone().map(|(_, step)| step));
+        with_cells(count, |cells| {
+            let mut curve =
+                SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
+            let mut groups = Groups::new();
+            group_zones(&curve, &mut groups)?;
+            let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
+            let step = |direction| view.step_in(&moves, direction, deepest, creepage);
+            let steps = core::array::from_fn(step);
+            for first in (0..DIRECTIONS).step_by(TOGETHER) {
+                let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
+                let mut moves = moves;
+                moves.first = first;
+                let profile = profile.moving(&moves);
+                curve.follow(&profile, &moves, pair.smoothing_length);
+                let mut rates = [[F::zero(); GROUPS]; TOGETHER];
+                for (direction, rates) in rates.iter_mut().enumerate() {
+                    rates_of_shares(&curve, &groups, direction, rates)?;
                 }
-                let steps = steps.clone().zip(shares);
-                let shorter = steps.clone().map(|((_, step), share)| step * share);
-                bound_changes(&mut cells, shorter);
-                for ((direction, step), share) in steps {
-                    let step = step * share;
-                    for (step, weight) in [(step, share), (-step, -share)].into_iter().take(sides) {
-                        // (what is more than zero does not vanish over a step)
-                        let of = |own: Directed<F>| {
-                            let moved = own.value + step * own.derivative(direction - first);
-                            let vanishes = own.value > F::zero() && moved <= F::zero();
-                            if vanishes { own.value } else { moved }
-                        };
-                        view.strips(&cells, of, &mut pressed, strips)?;
-                        if strips.count > 0 {
-                            let moved = view.moved(moves, direction, step);
-                            contact.fill(&moved, strips, &pressed);
-                            let rates = rates.get(direction - first);
-                            let rate = rates.and_then(|rates| rates.get(number));
-                            let rate = rate.copied().unwrap_or(F::zero());
-                            contact.share = (group.share + step * rate).max(F::zero());
-                            take(direction, F::one() / weight, contact, strips)?;
+                for (number, group) in groups.iter().enumerate() {
+                    curve.restrict(&group.whole);
+                    let depth = curve.depth(&group.whole);
+                    let mut pressed = view.press(&profile, &curve, depth, count, cells)?;
+                    let mut shares = [F::one(); TOGETHER];
+                    if sides == 2 {
+                        shorten(&mut shares, cells, steps.clone().map(|(_, step)| step));
+                    }
+                    let steps = steps.clone().zip(shares);
+                    let shorter = steps.clone().map(|((_, step), share)| step * share);
+                    bound_changes(cells, shorter);
+                    for ((direction, step), share) in steps {
+                        let step = step * share;
+                        for (step, weight) in
+                            [(step, share), (-step, -share)].into_iter().take(sides)
+                        {
+                            // (what is more than zero does not vanish over a step)
+                            let of = |own: Directed<F>| {
+                                let moved = own.value + step * own.derivative(direction - first);
+                                let vanishes = own.value > F::zero() && moved <= F::zero();
+                                if vanishes { own.value } else { moved }
+                            };
+                            view.strips(cells, of, &mut pressed, strips)?;
+                            if strips.count > 0 {
+                                let moved = view.moved(moves, direction, step);
+                                contact.fill(&moved, strips, &pressed);
+                                let rates = rates.get(direction - first);
+                                let rate = rates.and_then(|rates| rates.get(number));
+                                let rate = rate.copied().unwrap_or(F::zero());
+                                contact.share = (group.share + step * rate).max(F::zero());
+                                take(direction, F::one() / weight, contact, strips)?;
+                            }
                         }
                     }
                 }
             }
-        }
-        Ok(steps)
+            Ok(steps)
+        })
     }
 }
 
