@@ -78,10 +78,10 @@ impl<'a, F: Float> PatchField<'a, F> {
         let constant = SlipFriction::of_constant(F::one());
         let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&constant), model)?;
         let (share, of_friction) = problem.agreement()?;
-        let Scaled { patch: view, creepage, factor } = problem.scaled(share)?;
-        let scaled = Problem::with_strips(&view, &creepage, model)?.warning();
+        let scaled = problem.scaled(share)?;
+        let warning = problem.warning(scaled.problem()?.warning(), of_friction);
+        let Scaled { patch: view, creepage, factor, behind, .. } = scaled;
         let units = LawUnits { traction: share, slip: F::one() / factor };
-        let (behind, warning) = (problem.behind, problem.warning(scaled, of_friction));
         Ok(Self { view, creepage, model, behind, units, warning })
     }
 
@@ -115,7 +115,7 @@ impl<'a, F: Float> PatchField<'a, F> {
             PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
         } else if Model::HAS_STRIP_1967 {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
-            let problem = Problem { view, creepage: &creepage, model: *model };
+            let problem = Problem { view, creepage: &creepage, model: *model, behind: *behind };
             let own = behind.as_ref().and_then(|behind| Some((behind, view.zone(number)?)));
             let mut at_origin = creepage;
             if let Some((behind, zone)) = own {

@@ -31,7 +31,7 @@ use crate::number::Float;
 use crate::number::dual::Dual;
 pub(crate) use crate::patch::slip::By;
 use crate::patch::slip::{PatchLayer, PatchSlip, Share};
-use crate::patch::solver;
+use crate::patch::solver::{self, Problem};
 use crate::patch::{Patch, PatchView};
 use crate::status::{Error, Warning};
 
@@ -84,9 +84,9 @@ pub fn solve_patch_with_law<F: Float>(
 ) -> Result<PatchFrictionSolution<F>, Error> {
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
     let (share, warning) = problem.agreement()?;
-    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
-    let solution = solver::solve_behind(&patch, &creepage, model, problem.behind)?;
-    Ok(PatchFrictionSolution { solution: problem.under(share, factor, &solution, warning), share })
+    let scaled = problem.scaled(share)?;
+    let solution = problem.under(share, scaled.factor, &scaled.problem()?.solution(), warning);
+    Ok(PatchFrictionSolution { solution, share })
 }
 
 impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
@@ -105,8 +105,17 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
 pub(super) struct Scaled<'a, F> {
     pub patch: PatchView<'a, F>,
     pub creepage: Creepage<F>,
+    pub model: Model,
+    pub behind: Option<PatchLayer<F>>,
     /// `k/λ`
     pub factor: F,
+}
+
+impl<F: Float> Scaled<'_, F> {
+    pub fn problem(&self) -> Result<Problem<'_, F>, Error> {
+        let Self { patch, creepage, model, behind, .. } = self;
+        Ok(Problem { behind: *behind, ..Problem::new(patch, creepage, *model)? })
+    }
 }
 
 /// A patch, a creepage, a model and a law that fit together.
@@ -121,7 +130,7 @@ pub(super) struct FrictionProblem<'a, F: Float> {
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
     /// The layer of the law.
-    pub behind: Option<PatchLayer<F>>,
+    behind: Option<PatchLayer<F>>,
 }
 
 impl<'a, F: Float> FrictionProblem<'a, F> {
@@ -133,7 +142,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     ) -> Result<Self, Error> {
         let law = SlipFriction { friction: F::one(), ..*law };
         law.check()?;
-        let rigid_slip = solver::check_patch(patch, creepage, model)?;
+        let rigid_slip = Problem::new(patch, creepage, model)?.largest_rigid_slip();
         Error::Modulus.when(patch.shear_modulus() * law.slope_or_one() <= F::zero())?;
         let behind = law.has_interface().then(|| {
             let Interface { layer, slide } = law.interface(patch.shear_modulus(), F::one());
@@ -149,9 +158,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         }
         let next = |share| {
             let scaled = self.scaled(share)?;
-            let found =
-                solver::solve_behind(&scaled.patch, &scaled.creepage, self.model, self.behind)?;
-            Ok(self.law.at(found.power / scaled.factor / self.bound))
+            Ok(self.law.at(scaled.problem()?.solution().power / scaled.factor / self.bound))
         };
         let (law, rigid_slip, load) = (&self.law, self.rigid_slip, self.bound);
         FrictionEquation { law, rigid_slip, load, next }.largest_solution()
@@ -167,7 +174,8 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         if patch.mismatch() != F::zero() {
             patch = patch.with_mismatch(patch.mismatch() * factor)?;
         }
-        Ok(Scaled { patch, creepage, factor })
+        let Self { model, behind, .. } = *self;
+        Ok(Scaled { patch, creepage, model, behind, factor })
     }
 
     /// The warning of the patch from that at the scaled creepage and that of the friction.
@@ -212,9 +220,9 @@ pub fn differentiate_patch<F: Float>(
         Some(_) => problem.agreement()?,
         None => (F::one(), Warning::None),
     };
-    let Scaled { patch: scaled_patch, creepage: scaled, factor } = problem.scaled(share)?;
-    let (found, slopes, of_layer, besides) =
-        solver::patch_with_slopes(&scaled_patch, &scaled, model, problem.behind)?;
+    let scaled = problem.scaled(share)?;
+    let (found, slopes, of_layer, besides) = scaled.problem()?.with_slopes()?;
+    let Scaled { creepage: scaled, factor, .. } = scaled;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::default(), LawDerivatives::default());
@@ -321,13 +329,13 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
     let clean = SlipFriction::of_constant(F::one());
     let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&clean), model)?;
     let (share, warning) = problem.agreement()?;
-    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
-    let scaled = solver::Problem::new(&patch, &creepage, model)?;
+    let at_share = problem.scaled(share)?;
+    let (scaled, Scaled { creepage, factor, .. }) = (at_share.problem()?, &at_share);
     // F = λ f(k c/λ), P = λ²/k p(k c/λ)
-    let power_unit = share / factor;
+    let power_unit = share / *factor;
     let (unit, power_slope_unit) = match by {
         Some(By::Mismatch) => (share, power_unit),
-        _ => (share * factor, share),
+        _ => (share * *factor, share),
     };
     let mut number = 0;
     let mut take = |found: AtStrip<F>| {
@@ -344,7 +352,7 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         number += 1;
     };
     if let Some(by) = by.filter(|_| SLOPES) {
-        let slip = PatchSlip::with_slopes(&creepage, problem.behind, by);
+        let slip = PatchSlip::with_slopes(creepage, problem.behind, by);
         scaled.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
             let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
             // from the creepage at the origin to that at the centre
@@ -362,9 +370,9 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         });
     } else {
         let none = [F::zero(); 3];
-        let slip = PatchSlip::new(&creepage, problem.behind);
+        let slip = PatchSlip::new(creepage, problem.behind);
         scaled.shares(&slip, &mut |strip, share: Share<F>| {
-            let power = share.power(&creepage);
+            let power = share.power(creepage);
             let forces = [share.fx, share.fy, share.about_centre(strip)];
             take(AtStrip { forces, slopes: [none; 3], power, power_slopes: none });
         });
@@ -391,9 +399,10 @@ pub fn patch_strips_with_law<F: Float>(
         return solver::patch_strips(patch, creepage, model, visit);
     };
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
-    let Scaled { patch, creepage, factor } = problem.scaled(share)?;
-    solver::strips_behind(&patch, &creepage, model, problem.behind, &mut |strip| {
+    Error::NotInModel.unless(model != Model::Total)?;
+    let scaled = problem.scaled(share)?;
+    Ok(scaled.problem()?.strips(&mut |strip| {
         let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
-        visit(StripResult { fx, fy, mz, power: share * (strip.power / factor), ..strip });
-    })
+        visit(StripResult { fx, fy, mz, power: share * (strip.power / scaled.factor), ..strip });
+    }))
 }

@@ -197,9 +197,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         let (strips, scale) = (Vec::new(), QuadratureScale::default());
         Self { strips, shear_modulus, poisson_ratio, scale, mismatch: F::zero() }
     }
-}
 
-impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     /// The patch, checked, for the functions of [`solver`].
     ///
     /// # Errors

@@ -29,7 +29,7 @@ use crate::friction::derivatives::BesidesSlopes;
 use crate::friction::layered::LayerSlopes;
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
-use crate::number::{Float, Number, are_finite};
+use crate::number::{Arithmetic, Float, Number, add, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
     By, PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
@@ -54,23 +54,14 @@ fn most_strain<F: Float>(view: &PatchView<F>) -> F {
     view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
 }
 
-/// Checks the inputs of [`solve_patch`] without solving; returns an upper bound of the rigid slip.
-pub(crate) fn check_patch<F: Float>(
-    view: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-) -> Result<F, Error> {
-    Problem::new(view, creepage, model)?;
-    let [own, _] = view.most_own();
-    Ok(largest_rigid_slip(creepage, view.sizes().reach) + own + most_strain(view))
-}
-
 /// A patch, a creepage and a model that fit together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Problem<'a, F> {
     pub view: &'a PatchView<'a, F>,
     pub creepage: &'a Creepage<F>,
     pub model: Model,
+    /// The layer between the bodies, if there is one.
+    pub behind: Option<PatchLayer<F>>,
 }
 
 impl<'a, F: Float> Problem<'a, F> {
@@ -82,13 +73,17 @@ impl<'a, F: Float> Problem<'a, F> {
         creepage.check()?;
         let has_strips = model != Model::Linear && (model != Model::Total || !view.has_own());
         Error::NotInModel.unless(has_strips)?;
-        let reach = view.sizes().reach;
+        let problem = Self { view, creepage, model, behind: None };
+        let (slip, bound) = (problem.largest_rigid_slip(), view.friction_bound());
+        Error::Overflow.unless(are_finite(&[slip, bound * view.sizes().reach, bound * slip]))?;
+        Ok(problem)
+    }
+
+    /// Upper bound of the rigid slip.
+    pub fn largest_rigid_slip(&self) -> F {
+        let Self { view, creepage, .. } = *self;
         let [own, _] = view.most_own();
-        let slip = largest_rigid_slip(creepage, reach) + own + most_strain(view);
-        let bound = view.friction_bound();
-        let results = [slip, bound * reach, bound * slip];
-        Error::Overflow.unless(are_finite(&results))?;
-        Ok(Self { view, creepage, model })
+        largest_rigid_slip(creepage, view.sizes().reach) + own + most_strain(view)
     }
 
     /// The same checks for a model with strips.
@@ -247,61 +242,131 @@ impl<'a, F: Float> Problem<'a, F> {
 
 /// Sums over the strips.
 struct PatchSums<T: Number> {
-    fx: T,
-    fy: T,
-    mz: T,
+    /// `fx, fy, mz`
+    forces: [T; 3],
     /// Power divided by rolling speed.
     power: T,
-    stick: T::Base,
-    area: T::Base,
+    /// Share of the area in adhesion; -1 for a model without strips.
+    adhesion: T::Base,
+}
+
+impl<F: Float> PatchSums<F> {
+    fn solution(&self, warning: Warning) -> Solution<F> {
+        let Self { forces: [fx, fy, mz], power, adhesion } = *self;
+        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
+    }
 }
 
 impl<F: Float> Problem<'_, F> {
-    fn sums<T: Number<Base = F>>(&self, slip: &PatchSlip<T>) -> PatchSums<T> {
-        self.sums_with(slip, |_, _| ())
+    /// Forces; see [`solve_patch`].
+    pub fn solution(&self) -> Solution<F> {
+        self.sums(&PatchSlip::new(self.creepage, self.behind), |_, _| ()).solution(self.warning())
     }
 
-    /// The same, while every share is passed to `visit`.
-    fn sums_with<T: Number<Base = F>>(
+    /// The sums, while every share is passed to `visit`.
+    fn sums<T: Number<Base = F>>(
         &self,
         slip: &PatchSlip<T>,
         mut visit: impl FnMut(&PatchStrip<F>, &Share<T>),
     ) -> PatchSums<T> {
-        let (zero, none) = (T::zero(), F::zero());
-        let mut sums =
-            PatchSums { fx: zero, fy: zero, mz: zero, power: zero, stick: none, area: none };
+        let (mut forces, mut besides) = ([T::zero(); 3], T::zero());
+        let (mut stick, mut whole) = (F::zero(), F::zero());
         self.shares(slip, &mut |strip, share| {
             visit(strip, &share);
-            sums.power += share.besides;
-            sums.fx += share.fx;
-            sums.fy += share.fy;
-            sums.mz += share.mz;
+            besides += share.besides;
+            add(&mut forces, [share.fx, share.fy, share.mz]);
             let area = strip.half_length * strip.width;
-            sums.stick += area * share.stick;
-            sums.area += area;
+            stick += area * share.stick;
+            whole += area;
         });
         let Creepage { longitudinal, lateral, spin } = slip.creepage;
-        let power = sums.fx * longitudinal + sums.fy * lateral + sums.mz * spin;
-        sums.power += power;
-        sums
+        let [fx, fy, mz] = forces;
+        let power = besides + (fx * longitudinal + fy * lateral + mz * spin);
+        let adhesion = if self.model == Model::Total {
+            -F::one()
+        } else if whole > F::zero() {
+            (stick / whole).clamped(F::zero(), F::one())
+        } else {
+            F::zero()
+        };
+        PatchSums { forces, power, adhesion }
     }
 
-    fn solution_of_patch(&self, [fx, fy, mz, power]: [F; 4], stick: F, area: F) -> Solution<F> {
-        Solution {
-            fx,
-            fy,
-            mz,
-            power,
-            adhesion: if self.model == Model::Total {
-                -F::one()
-            } else if area > F::zero() {
-                (stick / area).clamped(F::zero(), F::one())
-            } else {
-                F::zero()
-            },
-            warning: self.warning(),
-            reserved: 0,
+    /// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
+    /// results for other derivatives: those by the layer, and by a factor of the strips' own creepages.
+    pub fn with_slopes(
+        &self,
+    ) -> Result<(Solution<F>, Slopes<F>, LayerSlopes<F>, BesidesSlopes<F>), Error> {
+        let Self { view: patch, creepage, model, behind } = *self;
+        let sums = |by: By| self.sums(&PatchSlip::with_slopes(creepage, behind, by), |_, _| ());
+        let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
+        let (mut besides, mut number) = (BesidesSlopes::default(), 0);
+        let found = self.sums(&inputs, |strip, share| {
+            let Some(own) = patch.own(number) else { return };
+            number += 1;
+            let Creepage { longitudinal, lateral, .. } =
+                creepage_at(&own, -strip.centre_x, -strip.y);
+            let moved =
+                |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
+            let power = share.power(&inputs.creepage);
+            let entries = besides.forces.iter_mut().zip(&mut besides.translation);
+            for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
+                *all += moved(force) + force.derivative(2) * own.spin;
+                *translation += moved(force);
+            }
+            besides.power += moved(power) + power.derivative(2) * own.spin;
+            besides.power_translation += moved(power);
+        });
+        let PatchSums { forces, power, adhesion } = found;
+        let jacobian = forces.map(|sum| sum.gradient);
+        let mut slopes = Slopes {
+            derivatives: Derivatives { jacobian, ..Derivatives::default() },
+            by_mismatch: [F::zero(); 3],
+            seen: *creepage,
+            power_by_creepage: power.gradient,
+            power_by_mismatch: F::zero(),
+        };
+        if patch.mismatch() != F::zero() && !model.is_of_1967() {
+            let PatchSums { forces, power, .. } = sums(By::Mismatch);
+            slopes.by_mismatch = forces.map(|sum| sum.derivative(0));
+            slopes.power_by_mismatch = power.derivative(0);
         }
+        let mut of_layer = LayerSlopes::default();
+        if let Some(PatchLayer { depth, .. }) = behind {
+            let PatchSums { forces, power, .. } = sums(By::Layer);
+            let unit = patch.shear_modulus();
+            of_layer.forces[0] = forces.map(|sum| sum.derivative(0) * unit);
+            of_layer.forces[1] = forces.map(|sum| sum.derivative(1));
+            of_layer.power = [power.derivative(0) * unit, power.derivative(1)];
+            of_layer.layer = depth / unit;
+        }
+        let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
+        let mut entries = jacobian.iter().flatten().chain(others);
+        Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
+        let values = PatchSums { forces: forces.map(Dual::value), power: power.value, adhesion };
+        Ok((values.solution(self.warning()), slopes, of_layer, besides))
+    }
+
+    /// Passes every strip to `visit`; see [`patch_strips`].
+    pub fn strips(&self, visit: &mut impl FnMut(StripResult<F>)) -> Warning {
+        let Self { creepage, behind, .. } = *self;
+        self.shares(&PatchSlip::new(creepage, behind), &mut |strip, share: Share<F>| {
+            let Share { fx, fy, mz, besides, stick, adheres } = share;
+            visit(StripResult {
+                y: strip.y,
+                width: strip.width,
+                half_length: strip.half_length,
+                // x = x_c + l (1 − 2 stick): the adhesion area as one interval at the leading edge
+                separatrix: strip.centre_x + strip.half_length * (F::one() - stick.times(2.0)),
+                fx,
+                fy,
+                mz,
+                power: creepage.power([fx, fy, mz]) + besides,
+                state: if adheres { State::Stick } else { State::Slip },
+                reserved: 0,
+            });
+        });
+        self.warning()
     }
 }
 
@@ -337,24 +402,7 @@ pub fn solve_patch<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<Solution<F>, Error> {
-    solve_behind(patch, creepage, model, None)
-}
-
-/// [`solve_patch`] behind a layer.
-///
-/// # Errors
-/// Those of [`solve_patch`].
-#[inline]
-pub(super) fn solve_behind<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-    behind: Option<PatchLayer<F>>,
-) -> Result<Solution<F>, Error> {
-    let problem = Problem::new(patch, creepage, model)?;
-    let PatchSums { fx, fy, mz, power, stick, area } =
-        problem.sums(&PatchSlip::new(creepage, behind));
-    Ok(problem.solution_of_patch([fx, fy, mz, power], stick, area))
+    Ok(Problem::new(patch, creepage, model)?.solution())
 }
 
 /// Forces and their exact derivatives with respect to the creepages.
@@ -366,67 +414,9 @@ pub fn patch_jacobian<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, slopes, ..) = patch_with_slopes(patch, creepage, model, None)?;
+    let (solution, slopes, ..) = Problem::new(patch, creepage, model)?.with_slopes()?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
-}
-
-/// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
-/// results for other derivatives: those by the layer, and by a factor of the strips' own creepages.
-pub(super) fn patch_with_slopes<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-    behind: Option<PatchLayer<F>>,
-) -> Result<(Solution<F>, Slopes<F>, LayerSlopes<F>, BesidesSlopes<F>), Error> {
-    let problem = Problem::new(patch, creepage, model)?;
-    let sums = |by: By| problem.sums(&PatchSlip::with_slopes(creepage, behind, by));
-    let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
-    let (mut besides, mut number) = (BesidesSlopes::default(), 0);
-    let PatchSums { fx, fy, mz, power, stick, area } =
-        problem.sums_with(&inputs, |strip, share| {
-            let Some(own) = patch.own(number) else { return };
-            number += 1;
-            let Creepage { longitudinal, lateral, .. } =
-                creepage_at(&own, -strip.centre_x, -strip.y);
-            let moved =
-                |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
-            let power = share.power(&inputs.creepage);
-            let entries = besides.forces.iter_mut().zip(&mut besides.translation);
-            for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
-                *all += moved(force) + force.derivative(2) * own.spin;
-                *translation += moved(force);
-            }
-            besides.power += moved(power) + power.derivative(2) * own.spin;
-            besides.power_translation += moved(power);
-        });
-    let jacobian = [fx.gradient, fy.gradient, mz.gradient];
-    let mut slopes = Slopes {
-        derivatives: Derivatives { jacobian, ..Derivatives::default() },
-        by_mismatch: [F::zero(); 3],
-        seen: *creepage,
-        power_by_creepage: power.gradient,
-        power_by_mismatch: F::zero(),
-    };
-    if patch.mismatch() != F::zero() && !model.is_of_1967() {
-        let PatchSums { fx, fy, mz, power, .. } = sums(By::Mismatch);
-        slopes.by_mismatch = [fx, fy, mz].map(|sum| sum.derivative(0));
-        slopes.power_by_mismatch = power.derivative(0);
-    }
-    let mut of_layer = LayerSlopes::default();
-    if let Some(PatchLayer { depth, .. }) = behind {
-        let PatchSums { fx, fy, mz, power, .. } = sums(By::Layer);
-        let unit = patch.shear_modulus();
-        of_layer.forces[0] = [fx, fy, mz].map(|sum| sum.derivative(0) * unit);
-        of_layer.forces[1] = [fx, fy, mz].map(|sum| sum.derivative(1));
-        of_layer.power = [power.derivative(0) * unit, power.derivative(1)];
-        of_layer.layer = depth / unit;
-    }
-    let values = [fx, fy, mz, power].map(|sum| sum.value);
-    let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
-    let mut entries = jacobian.iter().flatten().chain(others);
-    Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
-    Ok((problem.solution_of_patch(values, stick, area), slopes, of_layer, besides))
 }
 
 /// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the
@@ -440,36 +430,5 @@ pub fn patch_strips<F: Float>(
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    strips_behind(patch, creepage, model, None, visit)
-}
-
-/// [`patch_strips`] behind a layer.
-///
-/// # Errors
-/// Those of [`patch_strips`].
-pub(super) fn strips_behind<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-    behind: Option<PatchLayer<F>>,
-    visit: &mut impl FnMut(StripResult<F>),
-) -> Result<Warning, Error> {
-    let problem = Problem::with_strips(patch, creepage, model)?;
-    problem.shares(&PatchSlip::new(creepage, behind), &mut |strip, share: Share<F>| {
-        let Share { fx, fy, mz, besides, stick, adheres } = share;
-        visit(StripResult {
-            y: strip.y,
-            width: strip.width,
-            half_length: strip.half_length,
-            // x = x_c + l (1 − 2 stick): the adhesion area as one interval at the leading edge
-            separatrix: strip.centre_x + strip.half_length * (F::one() - stick.times(2.0)),
-            fx,
-            fy,
-            mz,
-            power: creepage.power([fx, fy, mz]) + besides,
-            state: if adheres { State::Stick } else { State::Slip },
-            reserved: 0,
-        });
-    });
-    Ok(problem.warning())
+    Ok(Problem::with_strips(patch, creepage, model)?.strips(visit))
 }

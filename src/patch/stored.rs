@@ -72,9 +72,7 @@ impl<F: Float> StoredPatch<F> {
         }
         room
     }
-}
 
-impl<F: Float> StoredPatch<F> {
     /// The checked patch.
     ///
     /// # Errors

@@ -235,28 +235,21 @@ impl<F: Float> PatchView<'_, F> {
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
         let units = self.sizes();
-        let per_strip = units.widths.per_width;
         let mut sums = ZoneSums::default();
         sums.add(own, units, own.centre_x, F::one());
-        let mut add = |strip: &PatchStrip<F>, walk: &mut Walk<F>, last: &PatchStrip<F>| {
-            let weight = walk.pass(last, strip);
-            sums.add(strip, units, own.centre_x, weight);
-            weight > F::zero()
+        let mut add = |strips: &mut dyn Iterator<Item = &PatchStrip<F>>| {
+            let (mut walk, mut last) = (Walk::new(own, units.widths.per_width), own);
+            for strip in strips {
+                let weight = walk.pass(last, strip);
+                sums.add(strip, units, own.centre_x, weight);
+                if !(weight > F::zero()) {
+                    break;
+                }
+                last = strip;
+            }
         };
-        let (mut walk, mut last) = (Walk::new(own, per_strip), own);
-        for strip in before.iter().rev() {
-            if !add(strip, &mut walk, last) {
-                break;
-            }
-            last = strip;
-        }
-        let (mut walk, mut last) = (Walk::new(own, per_strip), own);
-        for strip in after {
-            if !add(strip, &mut walk, last) {
-                break;
-            }
-            last = strip;
-        }
+        add(&mut before.iter().rev());
+        add(&mut after.iter());
         Some(self.zone_of(&sums, own))
     }
 
