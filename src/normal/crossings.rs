@@ -4,7 +4,7 @@ use crate::normal::density::Zones;
 use crate::normal::extremes::{cuts, refined, zero_of};
 use crate::normal::smooth::{Knot, SmoothedProfile};
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, pairs, sort};
 use crate::numerics::hermite::Cubic;
 
 /// A part of a curve of surfaces where they overlap.
@@ -34,7 +34,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                 take(zone);
             }
             let cuts = cuts(cubic, length);
-            for (&from, &to) in cuts.iter().zip(cuts.iter().skip(1)) {
+            for (&from, &to) in pairs(&cuts) {
                 if !(to.value > from.value) {
                     continue;
                 }
@@ -145,15 +145,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
                 (cuts(&heights, step), cuts(&function, step));
             let [c, d] = [c, d].map(|cut| refined(&function, step.value, cut, exact));
             let mut cuts = [a, b, c, d, length];
-            for i in 1..cuts.len() {
-                for k in (0..i).rev() {
-                    if let Some([one, two]) = cuts.get_mut(k..k + 2)
-                        && two.value < one.value
-                    {
-                        core::mem::swap(one, two);
-                    }
-                }
-            }
+            sort(&mut cuts, |cut, next| cut.value < next.value);
             let (mut from, mut before) = (zero, own[0]);
             for to in cuts {
                 if to.value <= from.value {

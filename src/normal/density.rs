@@ -13,7 +13,7 @@
 //! no cell moves as fast as the end of a zone does that appears or merges.
 
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, pairs};
 use heapless::Vec;
 
 /// Largest number of zones of contact; further zones are joined with the last.
@@ -93,7 +93,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
         for (number, count) in self.list.iter().enumerate() {
             let Some((own, after)) = rest.split_at_checked(*count) else { return };
             rest = after;
-            for (before, next) in own.iter().zip(own.iter().skip(1)) {
+            for (before, next) in pairs(own) {
                 let [low, high] = [before, next].map(|place| place.density.min(one));
                 let apart = [before, next].map(|place| place.density.value - F::one());
                 let (middle, between) = if apart[0] * apart[1] < F::zero() {

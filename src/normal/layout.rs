@@ -7,7 +7,7 @@
 use crate::normal::cell::{CELLS, Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, add};
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
 const LEANING: f64 = 0.3;
@@ -103,61 +103,54 @@ pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
         .fold([Dual::zero(); 2], |[width, share], part| [width + part.width, share + part.share]);
     let half_cell = (total / all.shift(F::TINY)).times(NEAR).squared();
     for i in 0..list.len() {
-        let leaning = Leaning::new(list, i, half_cell);
-        if let (Some(leaning), Some(own)) = (leaning, list.get_mut(i)) {
-            (own.at, own.coupling, own.alone) = (leaning.at, leaning.coupling, leaning.alone);
+        if let (Some(leaning), Some(own)) = (leaning(list, i, half_cell), list.get_mut(i)) {
+            *own = leaning;
         }
     }
 }
 
-/// What [`lean`] makes of a part.
-struct Leaning<F, const N: usize> {
-    at: Dual<F, N>,
-    coupling: [Dual<F, N>; 2],
-    alone: Dual<F, N>,
-}
-
-impl<F: Float, const N: usize> Leaning<F, N> {
-    /// None for a whole cell.
-    fn new(known: &[Cell<F, N>], i: usize, half_cell: Dual<F, N>) -> Option<Self> {
-        let place = known.get(i)?;
-        if place.share.value >= F::one() - F::EPSILON.times(256.0) {
-            return None;
-        }
-        let parts = known.iter().filter(|part| part.number == place.number);
-        let width = parts.fold(Dual::zero(), |sum, part| sum + part.width);
-        let reach = width.times(NEAR).squared();
-        let sides = [-1, 1].map(|step| Beside::new(known, i, step, reach));
-        let own = [place.width, place.share, place.width * place.y];
-        let [below, above] = &sides;
-        let [near, share, moment] = added(&added(&own, &below.near), &above.near);
-        // κ over the part's own width
-        let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
-        let rest = (Dual::one() - share).max(Dual::zero());
-        let zone = zone_share(known, i, half_cell);
-        let zero = Dual::zero();
-        let mut leaning = Self { at: moment / near, coupling: [zero; 2], alone: zero };
-        if zone.value < F::one() {
-            let rest = Dual::one() - zone;
-            leaning.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
-        }
-        let by_zone = cell * rest.squared() / share * near * per_width;
-        for (k, (side, coupling)) in sides.iter().zip(&mut leaning.coupling).enumerate() {
-            let [inner, _, _] = added(&own, if k == 0 { &above.near } else { &below.near });
-            let next = if k == 0 { i.checked_sub(1) } else { Some(i + 1) };
-            let Some(next) = next.and_then(|next| known.get(next)) else { continue };
-            *coupling = if next.zone == place.zone {
-                by_zone
-            } else if next.number == place.number {
-                let both = inner * side.outer / (inner + side.outer);
-                let closeness = reach / (side.gap.squared() + reach.times(CLOSEST));
-                width.times(LEANING) * both * closeness * per_width
-            } else {
-                zero
-            };
-        }
-        Some(leaning)
+/// A part of a cell that leans on others; none for a whole cell.
+fn leaning<F: Float, const N: usize>(
+    known: &[Cell<F, N>],
+    i: usize,
+    half_cell: Dual<F, N>,
+) -> Option<Cell<F, N>> {
+    let place = known.get(i)?;
+    if place.share.value >= F::one() - F::EPSILON.times(256.0) {
+        return None;
     }
+    let parts = known.iter().filter(|part| part.number == place.number);
+    let width = parts.fold(Dual::zero(), |sum, part| sum + part.width);
+    let reach = width.times(NEAR).squared();
+    let [below, above] = [-1, 1].map(|step| Beside::new(known, i, step, reach));
+    let mut sums = [place.width, place.share, place.width * place.y];
+    add(&mut sums, below.near);
+    add(&mut sums, above.near);
+    let [near, share, moment] = sums;
+    // κ over the part's own width
+    let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
+    let rest = (Dual::one() - share).max(Dual::zero());
+    let zone = zone_share(known, i, half_cell);
+    let mut leaning = Cell { at: moment / near, ..*place };
+    if zone.value < F::one() {
+        let rest = Dual::one() - zone;
+        leaning.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
+    }
+    let by_zone = cell * rest.squared() / share * near * per_width;
+    let sides = [(&below, &above, i.checked_sub(1)), (&above, &below, Some(i + 1))];
+    for ((side, other, next), coupling) in sides.into_iter().zip(&mut leaning.coupling) {
+        let Some(next) = next.and_then(|next| known.get(next)) else { continue };
+        if next.zone == place.zone {
+            *coupling = by_zone;
+        } else if next.number == place.number {
+            let [near, ..] = other.near;
+            let inner = place.width + near;
+            let both = inner * side.outer / (inner + side.outer);
+            let closeness = reach / (side.gap.squared() + reach.times(CLOSEST));
+            *coupling = width.times(LEANING) * both * closeness * per_width;
+        }
+    }
+    Some(leaning)
 }
 
 /// Share of a whole cell that a place's zone has, with other zones by their nearness.
@@ -185,16 +178,6 @@ fn zone_share<F: Float, const N: usize>(
     add(&mut rest.iter(), 0);
     add(&mut rest.iter().take(1).chain(before.iter().rev()), 1);
     sum
-}
-
-fn added<F: Float, const N: usize>(
-    one: &[Dual<F, N>; 3],
-    other: &[Dual<F, N>; 3],
-) -> [Dual<F, N>; 3] {
-    core::array::from_fn(|k| match (one.get(k), other.get(k)) {
-        (Some(one), Some(other)) => *one + *other,
-        _ => Dual::zero(),
-    })
 }
 
 /// The other parts of a cell on one side of a part.
@@ -231,7 +214,7 @@ impl<F: Float, const N: usize> Beside<F, N> {
             to_next = Some(outer);
             beside.outer += outer * next.width;
             let other = [next.width, next.share, next.width * next.y];
-            beside.near = added(&beside.near, &other.map(|term| term * nearness));
+            add(&mut beside.near, other.map(|term| term * nearness));
             k = k.saturating_add_signed(step);
         }
         beside

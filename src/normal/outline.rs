@@ -147,7 +147,7 @@ impl<F: Float, const N: usize> Outline<F, N> {
         count: StripCount,
         cells: &mut Cells<F, N>,
     ) -> Self {
-        let Touching { at_end, radius, width } = touching(curve, approach, radius, count, cells);
+        let (at_end, radius, width) = touching(curve, approach, radius, count, cells);
         lean(cells);
         let first_lengths = Lengths::new(width, radius, approach);
         let of = |y| {
@@ -162,18 +162,9 @@ impl<F: Float, const N: usize> Outline<F, N> {
     }
 }
 
-/// Where bodies touch by the estimate.
-struct Touching<F, const N: usize> {
-    /// Whether a zone ends with the profile.
-    at_end: bool,
-    /// Rolling radius \[m\].
-    radius: Dual<F, N>,
-    /// Integral of the density of cells \[m\].
-    width: Dual<F, N>,
-}
-
-/// Lays cells out where the bodies touch by the estimate. (Out of line: the estimate need not be
-/// kept while the cells are filled.)
+/// Lays cells out where the bodies touch by the estimate. Returns whether a zone ends with the
+/// profile, the rolling radius, and the integral of the density of cells \[m\]. (Out of line: the
+/// estimate need not be kept while the cells are filled.)
 #[inline(never)]
 fn touching<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
@@ -181,7 +172,7 @@ fn touching<F: Float, const N: usize>(
     of_loads: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     count: StripCount,
     cells: &mut Cells<F, N>,
-) -> Touching<F, N> {
+) -> (bool, Dual<F, N>, Dual<F, N>) {
     let mut estimate = Estimate::nothing();
     let mut radius = Dual::zero();
     estimate.fill(curve, approach, cells, |loads| {
@@ -189,7 +180,7 @@ fn touching<F: Float, const N: usize>(
         radius
     });
     let (at_end, width) = cells_of_zones(curve, &estimate, approach, number_of_cells(count), cells);
-    Touching { at_end, radius, width }
+    (at_end, radius, width)
 }
 
 /// The part of it that needs the zones.

@@ -3,7 +3,7 @@
 
 use crate::normal::directions::{Moves, TOGETHER};
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, are_finite};
+use crate::number::{Arithmetic, Float, are_finite, ascend, at, pairs};
 use crate::status::Error;
 
 /// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
@@ -59,15 +59,12 @@ impl<'a, F: Float> Profile<'a, F> {
             return Err(Error::Profile);
         };
         Error::NotFinite.unless(are_finite(y) && are_finite(distance))?;
-        Error::Profile.unless(y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next))?;
+        Error::Profile.unless(ascend(y))?;
         let lowest = distance.iter().fold(*first, |lowest, h| lowest.min(*h));
-        let end = |y: Option<&F>| y.copied().unwrap_or(F::zero());
-        let ends = [end(y.first()), end(y.last())];
-        let [from, to] = ends;
+        let [from, to] = [at(y, 0), at(y, y.len() - 1)];
         let middle = from.times(0.5) + to.times(0.5);
         let step = (to - from) / F::widened((y.len() - 1) as f32);
-        let none: &[F] = &[];
-        let (centre_x, rolling_radius) = (none, none);
+        let (centre_x, rolling_radius, ends): (&[F], &[F], _) = (&[], &[], [from, to]);
         let (fade, motion) = (None, None);
         Ok(Self { y, distance, centre_x, rolling_radius, lowest, ends, middle, step, fade, motion })
     }
@@ -113,13 +110,9 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     fn of_each_point(&self, values: &'a [F]) -> Result<&'a [F], Error> {
-        if values.len() != self.y.len() {
-            Err(Error::Profile)
-        } else if are_finite(values) {
-            Ok(values)
-        } else {
-            Err(Error::NotFinite)
-        }
+        Error::Profile.unless(values.len() == self.y.len())?;
+        Error::NotFinite.unless(are_finite(values))?;
+        Ok(values)
     }
 
     /// Whether points have rolling radii of their own.
@@ -155,12 +148,8 @@ impl<'a, F: Float> Profile<'a, F> {
 
     /// Interpolates linearly between the points of a list, which is this one of those that move.
     fn between<const N: usize>(&self, list: &[F], number: usize, y: Dual<F, N>) -> Dual<F, N> {
-        let next = self
-            .y
-            .partition_point(|place| *place < y.value)
-            .min(self.y.len().saturating_sub(1))
-            .max(1);
-        let at = |list: &[F], i: usize| list.get(i).copied().unwrap_or(F::zero());
+        let next = self.y.partition_point(|place| *place < y.value);
+        let next = next.min(self.y.len().saturating_sub(1)).max(1);
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
         let (before, after) = (at(list, next - 1), at(list, next));
         let slope = (after - before) / (to - from);
@@ -185,8 +174,7 @@ impl<'a, F: Float> Profile<'a, F> {
         let inverse = level.shift(F::TINY).inverse();
         let one = Dual::one();
         let mut length = Dual::zero();
-        for (y, distance) in self.y.windows(2).zip(self.distance.windows(2)) {
-            let ([y, next], [here, there]) = (y, distance) else { continue };
+        for ((y, next), (here, there)) in pairs(self.y).zip(pairs(self.distance)) {
             let height = here.times(0.5) + there.times(0.5) - from;
             let share = Dual::constant(2.0) - inverse.scale(height);
             length += share.max(Dual::zero()).min(one).scale(*next - *y);
@@ -201,8 +189,7 @@ impl<'a, F: Float> Profile<'a, F> {
         let mut volume = Dual::from_base(F::TINY);
         let mut moment = Dual::from_base(radius * F::TINY);
         // straight pieces between the points
-        for (k, ends) in self.distance.windows(2).enumerate() {
-            let [from, to] = ends else { continue };
+        for (k, (from, to)) in pairs(self.distance).enumerate() {
             let (low, high) = (from.min(*to) - self.lowest, from.max(*to) - self.lowest);
             if level.value <= low {
                 continue;

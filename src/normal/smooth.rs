@@ -9,7 +9,7 @@ use crate::normal::extremes::cuts;
 use crate::normal::parabola::{Parabola, STEPS, parabola};
 use crate::normal::profile::Profile;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Float, pairs};
 use crate::numerics::hermite::Cubic;
 use heapless::Vec;
 
@@ -352,7 +352,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         of: impl Fn(&Knot<F, N>) -> [Dual<F, N>; 2],
         mut take: impl FnMut(&Knot<F, N>, &Cubic<Dual<F, N>>, Dual<F, N>),
     ) {
-        for (knot, next) in self.knots.iter().zip(self.knots.iter().skip(1)) {
+        for (knot, next) in pairs(&self.knots) {
             if next.joined {
                 let ([from, slope], [to, end]) = (of(knot), of(next));
                 let length = next.y - knot.y;

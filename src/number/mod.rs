@@ -135,6 +135,36 @@ pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item
     }
 }
 
+/// A number of a list; zero past its end.
+#[inline(always)]
+pub(crate) fn at<F: Float>(list: &[F], k: usize) -> F {
+    list.get(k).copied().unwrap_or(F::zero())
+}
+
+/// Successive items of a list.
+#[inline(always)]
+pub(crate) fn pairs<T>(list: &[T]) -> impl ExactSizeIterator<Item = (&T, &T)> + Clone {
+    list.iter().zip(list.iter().skip(1))
+}
+
+/// Whether each number is larger than the one before.
+pub(crate) fn ascend<F: Float>(list: &[F]) -> bool {
+    pairs(list).all(|(x, next)| x < next)
+}
+
+/// Sorts a short list, in place. One that is in order already takes one pass. (That of `core` can
+/// panic.)
+pub(crate) fn sort<T>(list: &mut [T], is_before: impl Fn(&T, &T) -> bool) {
+    for end in 1..list.len() {
+        for i in (0..end).rev() {
+            match list.get_mut(i..i + 2) {
+                Some([item, next]) if is_before(next, item) => core::mem::swap(item, next),
+                _ => break,
+            }
+        }
+    }
+}
+
 /// Reverses the order. (That of `core` contains a panic that the linker does not remove.)
 pub(crate) fn reverse<T>(mut slice: &mut [T]) {
     while let [first, inner @ .., last] = slice {

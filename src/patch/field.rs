@@ -5,7 +5,7 @@ use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
 use crate::friction::SlipFriction;
 use crate::friction::field::StripBehind;
-use crate::number::Float;
+use crate::number::{Float, pairs};
 use crate::patch::friction::{FrictionProblem, Scaled};
 use crate::patch::shares::{Seen, ZoneLaw};
 use crate::patch::slip::{PatchLayer, PatchSlip, ZoneSplit, largest_rigid_slip, seen_from};
@@ -96,7 +96,7 @@ impl<'a, F: Float> PatchField<'a, F> {
             number += if inside { 0 } else { lobe.len() };
             inside
         })?;
-        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
+        let mut pairs = pairs(lobe);
         let found = pairs.position(|(strip, next)| {
             y < strip.y + (next.y - strip.y) * (strip.width / (strip.width + next.width))
         });

@@ -29,7 +29,7 @@ pub use self::view::PatchView;
 
 use crate::contact::Contact;
 use crate::contact::totals::StripCount;
-use crate::number::Float;
+use crate::number::{Float, sort};
 use crate::status::Error;
 use crate::strip::Rule;
 use core::f64::consts::{FRAC_PI_2, PI};
@@ -181,7 +181,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     ) -> Result<Self, Error> {
         let mut patch = Self::empty(shear_modulus, poisson_ratio);
         patch.strips.extend_from_slice(strips).map_err(|_| Error::PatchSize)?;
-        sort(&mut patch.strips);
+        sort(&mut patch.strips, |strip, next| strip.y < next.y);
         patch.view()?;
         Ok(patch)
     }
@@ -208,23 +208,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 }
 
-/// Sorts strips by `y`, in place. A list that ascends already takes one pass.
-pub(crate) fn sort<F: Float>(strips: &mut [PatchStrip<F>]) {
-    for end in 1..strips.len() {
-        for i in (0..end).rev() {
-            match strips.get_mut(i..i + 2) {
-                Some([strip, next]) if next.y < strip.y => core::mem::swap(strip, next),
-                _ => break,
-            }
-        }
-    }
-}
-
 /// Checks that the strips of an ellipse make a patch that [`PatchView::new`] accepts.
-///
-/// # Errors
-/// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the floating-point
-/// type.
 pub(crate) fn check_ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,

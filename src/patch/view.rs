@@ -2,7 +2,7 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::number::Float;
+use crate::number::{Float, pairs};
 use crate::patch::extremes::Extremes;
 use crate::patch::slip::largest_rigid_slip;
 use crate::patch::zones::{Sizes, Zone};
@@ -60,7 +60,7 @@ impl<'a, F: Float> PatchView<'a, F> {
             }
         }
         let (mut are_beside, mut has_gaps) = (true, false);
-        for (strip, next) in strips.iter().zip(strips.iter().skip(1)) {
+        for (strip, next) in pairs(strips) {
             are_beside &= strip.is_beside(next);
             has_gaps |= strip.is_apart(next);
         }
@@ -237,7 +237,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     pub fn lobes(&self) -> impl Iterator<Item = &'a [PatchStrip<F>]> + use<'a, F> {
         let (mut rest, has_gaps) = (self.strips, self.has_gaps);
         core::iter::from_fn(move || {
-            let mut pairs = rest.iter().zip(rest.iter().skip(1));
+            let mut pairs = pairs(rest);
             let end = has_gaps.then(|| pairs.position(|(strip, next)| strip.is_apart(next)));
             let end = end.flatten();
             let (strips, others) = match end.and_then(|last| rest.split_at_checked(last + 1)) {

@@ -17,7 +17,8 @@
 //! Every strip counts by its load, so that a strip that begins to touch changes nothing at first.
 
 use crate::contact::Contact;
-use crate::number::Float;
+use crate::number::{Float, pairs};
+use crate::numerics::smooth_step;
 use crate::patch::extremes::Extremes;
 use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
@@ -144,7 +145,7 @@ impl<F: Float> Walk<F> {
             let share = (self.neck / smaller).plus(-APART).times(1.0 / (WHOLE - APART));
             let near = (F::of(GAP) - gap).times(1.0 / (GAP - TOUCHING));
             let share = share.min(near).clamped(F::zero(), F::one());
-            self.weight = self.weight.min(share * share * (F::of(3.0) - share.times(2.0)));
+            self.weight = self.weight.min(smooth_step(share));
         }
         if l > self.peak {
             (self.peak, self.neck) = (l, l);
@@ -222,7 +223,7 @@ impl<F: Float> PatchView<'_, F> {
             one.is_some_and(|one| Walk::new(one, per_width).pass(one, two) > F::zero())
         };
         let mut walk = Walk::new(first, per_width);
-        let mut pairs = lobe.iter().zip(lobe.iter().skip(1));
+        let mut pairs = pairs(lobe);
         let whole = pairs.all(|(last, next)| walk.pass(last, next) >= F::one());
         let alone = whole && !near(before, first) && !near(after, last);
         // Strips without load have no common ellipse.

@@ -33,7 +33,8 @@ use crate::normal::Indentation;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::dual::Dual;
-use crate::number::{Float, are_finite, length};
+use crate::number::{Float, are_finite, at, length};
+use crate::numerics::smooth_step;
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
 
@@ -128,8 +129,7 @@ impl<F: Float> WheelContact<F> {
 
     /// The columns of `B`.
     pub(crate) fn columns(&self) -> [[F; 3]; 6] {
-        let entry = |row: [F; 6], k: usize| row.get(k).copied().unwrap_or(F::zero());
-        core::array::from_fn(|k| self.rows().map(|row| entry(row, k)))
+        core::array::from_fn(|k| self.rows().map(|row| at(&row, k)))
     }
 
     /// The motion of the wheel over the rail at the contact.
@@ -242,7 +242,7 @@ impl<F: Float> WheelContact<F> {
         // standard deviation
         let turn = (turns * share).sqrt().times(2.0 * 2.236_067_977_499_79);
         let t = turn.plus(-TURN[0]).times(1.0 / (TURN[1] - TURN[0])).clamped(zero, one);
-        let own = (t * t * (F::of(3.0) - t.times(2.0))).times(OWN);
+        let own = smooth_step(t).times(OWN);
         self.own = if pair.rail_radius > zero { zero } else { own };
         let [a, b, c, ..] = normal;
         let over = view.over(x, z);

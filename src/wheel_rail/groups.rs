@@ -22,8 +22,9 @@
 
 use crate::normal::crossings::Overlap;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::Float;
 use crate::number::dual::Dual;
+use crate::number::{Float, pairs};
+use crate::numerics::smooth_step;
 use crate::status::Error;
 use core::mem;
 use heapless::Vec;
@@ -41,7 +42,7 @@ pub(super) const ZONES: usize = 16;
 fn nearness<F: Float>(free: F) -> F {
     let t =
         (free.plus(-ONE_CONTACT).times(1.0 / (APART - ONE_CONTACT))).clamped(F::zero(), F::one());
-    F::one() - t * t * (F::constant(3.0) - t.times(2.0))
+    F::one() - smooth_step(t)
 }
 
 /// Largest number of groups.
@@ -99,7 +100,7 @@ impl<F: Float> Overlaps<F> {
 
     /// The number of contacts whose free length is at least 4 mm.
     pub fn apart(&self) -> usize {
-        let pairs = self.list.iter().zip(self.list.iter().skip(1));
+        let pairs = pairs(&self.list);
         let gaps = pairs.filter(|(zone, next)| free(zone, next) >= F::of(ONE_CONTACT)).count();
         gaps + usize::from(!self.list.is_empty())
     }

@@ -42,7 +42,7 @@ mod under;
 mod view;
 pub mod wrench;
 
-use crate::number::{Float, are_finite};
+use crate::number::{Float, are_finite, ascend};
 use crate::status::Error;
 
 /// Maximum number of points in a prepared profile or a gap.
@@ -84,8 +84,7 @@ impl<F: Float> Position<F> {
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
         Error::NotFinite.unless(are_finite(&[lateral, vertical, yaw, roll]))?;
-        let upright = yaw.abs() < F::one() && roll.abs() < F::one();
-        if upright { Ok(()) } else { Err(Error::ProfileEnd) }
+        Error::ProfileEnd.unless(yaw.abs() < F::one() && roll.abs() < F::one())
     }
 }
 
@@ -188,8 +187,7 @@ impl<F: Float> WheelPair<F> {
         Error::SmoothingLength.when(smoothing_length < F::zero())?;
         Error::NormalDamping.unless(normal_damping >= F::zero())?;
         Error::FloorSpeed.unless(floor_speed >= F::zero())?;
-        let ascends = y.iter().zip(y.iter().skip(1)).all(|(y, next)| y < next);
-        if ascends { Ok(()) } else { Err(Error::Profile) }
+        Error::Profile.unless(ascend(y))
     }
 
     /// Coefficient of friction at a place of the rail.

@@ -18,7 +18,7 @@ use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
 use super::{Position, sine_cosine};
 use crate::normal::directions::{DIRECTIONS, Moves, TOGETHER};
-use crate::number::{Float, length};
+use crate::number::{Float, at, length};
 
 /// Roundings by which the last point of a gap may be off.
 const ROUNDINGS: f64 = 1e3;
@@ -77,7 +77,7 @@ impl<'a, F: Float> PointMoves<'a, F> {
     }
 
     fn members(&self, k: usize) -> [F; 7] {
-        self.lists.map(|list| list.get(k).copied().unwrap_or(F::zero()))
+        self.lists.map(|list| at(list, k))
     }
 
     fn under(&self, [along, distance, _, _, _, angle, _]: [F; 7]) -> Under<F> {

@@ -11,7 +11,7 @@ use crate::normal::parabola::STEPS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::dual::Dual;
-use crate::number::{Float, are_finite};
+use crate::number::{Float, are_finite, ascend, at};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
@@ -68,9 +68,8 @@ impl<'a, F: Float> View<'a, F> {
             .unless(lists.into_iter().all(are_finite) && gap.step.is_finite_number())?;
         Error::SmoothingLength.unless(gap.step >= F::zero())?;
         Error::RollingRadius.when(rolling_radius.iter().any(|radius| *radius <= F::zero()))?;
-        let ascends = along.iter().zip(along.iter().skip(1)).all(|(along, next)| along < next);
         let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
-        if ascends && upright {
+        if ascend(along) && upright {
             Ok(Self { lists, pair, position, given_step: gap.step, moved: None })
         } else {
             Err(Error::Profile)
@@ -94,7 +93,7 @@ impl<'a, F: Float> View<'a, F> {
 
     /// The members of a point, where it has moved.
     fn point(&self, k: usize) -> [F; 7] {
-        let mut members = self.lists.map(|list| list.get(k).copied().unwrap_or(F::zero()));
+        let mut members = self.lists.map(|list| at(list, k));
         if let Some((moves, direction, step)) = &self.moved {
             for (member, slope) in members.iter_mut().zip(moves.in_direction(k, *direction)) {
                 *member += *step * slope;

@@ -14,7 +14,7 @@
 
 use super::forces::{Wheelset, WheelsetWorkspace};
 use super::kinematics::{Kinematics, Side};
-use crate::number::{Float, are_finite, length};
+use crate::number::{Float, are_finite, ascend, at, length, pairs};
 use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::touch::touch_of_pair;
@@ -83,7 +83,6 @@ fn rolling_radius<F: Float>(
         }
     }
     let count = gap.count as usize;
-    let at = |list: &[F], k: usize| list.get(k).copied().unwrap_or(F::zero());
     let nearest = (0..count)
         .fold(0, |best, k| if at(&gap.distance, k) < at(&gap.distance, best) { k } else { best });
     let (sine, cosine) = sine_cosine(here.roll);
@@ -126,17 +125,15 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
     pub fn new(shifts: &'a [F], differences: &'a [F]) -> Result<Self, Error> {
         Error::Profile.unless(shifts.len() >= 2 && shifts.len() == differences.len())?;
         Error::NotFinite.unless(are_finite(shifts) && are_finite(differences))?;
-        let ascend = shifts.iter().zip(shifts.iter().skip(1)).all(|(y, next)| y < next);
-        Error::Profile.unless(ascend)?;
+        Error::Profile.unless(ascend(shifts))?;
         Ok(Self { shifts, differences })
     }
 
     /// `∫ Δr dy` from one place to another, exact.
     fn integral(&self, from: F, to: F) -> F {
-        let pieces = self.shifts.iter().zip(self.differences);
-        let next = self.shifts.iter().zip(self.differences).skip(1);
         let mut sum = F::zero();
-        for ((&start, &low), (&end, &high)) in pieces.zip(next) {
+        let pieces = pairs(self.shifts).zip(pairs(self.differences));
+        for ((&start, &end), (&low, &high)) in pieces {
             let (a, b) = (from.max(start), to.min(end));
             if a < b {
                 let slope = (high - low) / (end - start);
