@@ -29,7 +29,7 @@ use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
 use crate::number::Float;
 use crate::number::dual::Dual;
-pub(crate) use crate::patch::slip::By;
+pub(crate) use crate::patch::slip::{By, creepage_at};
 use crate::patch::slip::{PatchLayer, PatchSlip, Share};
 use crate::patch::solver::{self, Problem};
 use crate::patch::{Patch, PatchView};
@@ -221,7 +221,7 @@ pub fn differentiate_patch<F: Float>(
         None => (F::one(), Warning::None),
     };
     let scaled = problem.scaled(share)?;
-    let (found, slopes, of_layer, besides) = scaled.problem()?.with_slopes()?;
+    let ((found, slopes, of_layer), besides) = scaled.problem()?.with_slopes()?;
     let Scaled { creepage: scaled, factor, .. } = scaled;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {

@@ -245,7 +245,7 @@ impl<F: Float> ZoneSplit<F> {
 }
 
 /// Rigid slip at the point `(x, y)` as creepage of a contact there: `(υx − φ y, υy + φ x, φ)`.
-pub(super) fn creepage_at<T: Number>(
+pub(crate) fn creepage_at<T: Number>(
     creepage: &Creepage<T>,
     x: T::Base,
     y: T::Base,

@@ -26,7 +26,7 @@ use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::BesidesSlopes;
-use crate::friction::layered::LayerSlopes;
+use crate::friction::layered::{LayerSlopes, WithSlopes};
 use crate::linear::LinearCoefficients;
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, add, are_finite};
@@ -294,9 +294,7 @@ impl<F: Float> Problem<'_, F> {
 
     /// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
     /// results for other derivatives: those by the layer, and by a factor of the strips' own creepages.
-    pub fn with_slopes(
-        &self,
-    ) -> Result<(Solution<F>, Slopes<F>, LayerSlopes<F>, BesidesSlopes<F>), Error> {
+    pub fn with_slopes(&self) -> Result<(WithSlopes<F>, BesidesSlopes<F>), Error> {
         let Self { view: patch, creepage, model, behind } = *self;
         let sums = |by: By| self.sums(&PatchSlip::with_slopes(creepage, behind, by), |_, _| ());
         let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
@@ -344,7 +342,7 @@ impl<F: Float> Problem<'_, F> {
         let mut entries = jacobian.iter().flatten().chain(others);
         Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
         let values = PatchSums { forces: forces.map(Dual::value), power: power.value, adhesion };
-        Ok((values.solution(self.warning()), slopes, of_layer, besides))
+        Ok(((values.solution(self.warning()), slopes, of_layer), besides))
     }
 
     /// Passes every strip to `visit`; see [`patch_strips`].
@@ -414,7 +412,7 @@ pub fn patch_jacobian<F: Float>(
     creepage: &Creepage<F>,
     model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let (solution, slopes, ..) = Problem::new(patch, creepage, model)?.with_slopes()?;
+    let ((solution, slopes, _), _) = Problem::new(patch, creepage, model)?.with_slopes()?;
     // nalgebra's index order is by columns.
     Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }

@@ -25,14 +25,14 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::{Motion, Rolling};
-use crate::number::Float;
-use crate::patch::friction::{By, each_strip};
+use crate::number::{Float, at};
+use crate::patch::friction::{By, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
 use heapless::Vec;
 
 /// Creep forces of a contact on the rail, conjugate to the six velocities.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(super) struct Creep<F> {
     pub wrench: [F; 6],
     /// Power divided by the speed.
@@ -128,12 +128,9 @@ fn rows_of_strip<F: Float>(
     axes: &Axes<F>,
     number: usize,
 ) -> [[F; 6]; 3] {
-    let of = |list: &[F]| list.get(number).copied().unwrap_or(F::zero());
-    let (x, y) = contact
-        .patch
-        .strips
-        .get(number)
-        .map_or((F::zero(), F::zero()), |strip| (strip.centre_x, strip.y));
+    let of = |list: &[F]| at(list, number);
+    let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
+    let (x, y) = (strip.centre_x, strip.y);
     let [ahead, ..] = contact.origin;
     let place = [ahead + x, of(&contact.strip_y), of(&contact.strip_z)];
     let mut own = axes.rows(place, of(&contact.strip_angle));
@@ -182,25 +179,23 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let Self { velocity, speed, falling, model } = *self;
         let (zero, one) = (F::zero(), F::one());
         let per_speed = one / speed;
-        // the creepages of the patch where the strips are, and what they have besides
-        let of_patch = |[x, y]: [F; 2], creepage: &Creepage<F>| {
-            let Creepage { longitudinal, lateral, spin } = *creepage;
-            [longitudinal - spin * y, lateral + spin * x, spin]
-        };
+        // what the strips have besides the creepages of the patch where they are
         let mut own = Vec::<_, KSTRIP_PATCH_CAPACITY>::new();
         for (k, strip) in view.strips().iter().enumerate() {
-            let place = [strip.centre_x, strip.y];
             let [x, y, spin] = rows(k).map(|row| dot(&row, velocity) * per_speed);
-            let ([a, b, c], [d, e, f]) = (of_patch(place, rest), of_patch(place, creepage));
-            let [longitudinal, lateral, spin] = [x + a - d, y + b - e, spin + c - f];
-            let _ = own.push(Creepage { longitudinal, lateral, spin });
+            let [rest, patch] = [rest, creepage].map(|of| creepage_at(of, strip.centre_x, strip.y));
+            let _ = own.push(Creepage {
+                longitudinal: x + rest.longitudinal - patch.longitudinal,
+                lateral: y + rest.lateral - patch.lateral,
+                spin: spin + rest.spin - patch.spin,
+            });
         }
         let strips = view.strips();
         let whole = |k: usize| {
-            let place = strips.get(k).map_or([zero; 2], |strip| [strip.centre_x, strip.y]);
-            let Creepage { longitudinal, lateral, spin } = *own.get(k).unwrap_or(creepage);
-            let [x, y, z] = of_patch(place, creepage);
-            [x + longitudinal, y + lateral, z + spin]
+            let (Some(strip), Some(own)) = (strips.get(k), own.get(k)) else { return [zero; 3] };
+            let patch = creepage_at(creepage, strip.centre_x, strip.y);
+            let [x, y] = [patch.longitudinal + own.longitudinal, patch.lateral + own.lateral];
+            [x, y, patch.spin + own.spin]
         };
         let view = view.with_own_creepages(&own)?;
         let none = [zero; 6];
@@ -231,15 +226,8 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
                     }
                 }
             })?;
-        let mut creep = Creep {
-            wrench,
-            power,
-            by_velocity,
-            by_friction: none,
-            warning: found.warning,
-            by_speed: none,
-            by_mismatch: none,
-        };
+        let warning = found.warning;
+        let mut creep = Creep { wrench, power, by_velocity, warning, ..Creep::default() };
         if !SLOPES {
             return Ok(creep);
         }

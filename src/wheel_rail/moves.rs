@@ -17,7 +17,7 @@
 use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
 use super::{Position, sine_cosine};
-use crate::normal::directions::{DIRECTIONS, Moves, TOGETHER};
+use crate::normal::directions::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
 
 /// Roundings by which the last point of a gap may be off.
@@ -124,19 +124,27 @@ impl<'a, F: Float> PointMoves<'a, F> {
         [dx, dy, dz, turned, curved]
     }
 
+    /// In a direction: derivatives of x, y, z, of the wheel's angle, and of the rolling radius;
+    /// and those of length and distance.
+    #[inline(always)]
+    fn in_one(&self, members: [F; 7], under: &Under<F>, direction: usize) -> ([F; 5], [F; 2]) {
+        let [_, _, _, y, z, ..] = members;
+        let (zero, side) = (F::zero(), self.side);
+        let of_wheel = match direction {
+            0 | 1 => [zero; 5],
+            2 => self.by_yaw(members, under),
+            _ => [zero, -(z * side), y * side, side, zero],
+        };
+        let ([_, dy, dz, ..], by) = (of_wheel, self.direction(direction));
+        (of_wheel, under.moves([dy + by.lateral, dz + by.vertical]))
+    }
+
     /// Derivatives of the members of a point in a direction.
     pub fn in_direction(&self, k: usize, direction: usize) -> [F; 7] {
         let members = self.members(k);
-        let [_, _, _, y, z, ..] = members;
-        let (zero, one) = (F::zero(), F::one());
         let under = self.under(members);
-        let [dx, dy, dz, turned, curved] = match direction {
-            0 | 1 => [zero; 5],
-            2 => self.by_yaw(members, &under),
-            _ => [zero, -z, y, one, zero].map(|own| own * self.side),
-        };
-        let Position { lateral, vertical, .. } = self.direction(direction);
-        let [moved, lifted] = under.moves([dy + lateral, dz + vertical]);
+        let ([dx, dy, dz, turned, curved], [moved, lifted]) =
+            self.in_one(members, &under, direction);
         let turned = (turned + under.curvature * moved).times(0.5);
         [moved, lifted, dx, dy, dz, turned, curved]
     }
@@ -161,34 +169,19 @@ impl<F: Float> Under<F> {
     }
 }
 
-impl<F: Float> PointMoves<'_, F> {
-    /// Derivatives of length and distance of a point in all directions, and those by yaw.
-    fn in_all(&self, k: usize) -> ([[F; DIRECTIONS]; 2], [F; 5]) {
+impl<F: Float> Moves<F> for PointMoves<'_, F> {
+    fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4] {
         let members = self.members(k);
-        let [along, distance, _, y, z, ..] = members;
+        let [along, distance, ..] = members;
         let under = self.under(members);
-        let by_yaw = self.by_yaw(members, &under);
-        let ([_, yaw_y, yaw_z, ..], side, zero) = (by_yaw, self.side, F::zero());
-        let moves = [[side, zero], [zero, F::one()], [yaw_y, yaw_z], [-(z * side), y * side]];
         let close = F::EPSILON.times(ROUNDINGS);
         let ends = self.rail.ends_at(along, close);
         let leaves = distance >= self.reach * (F::one() - close);
-        let [[a, e], [b, f], [c, g], [d, h]] = moves.map(|moved| {
-            let moved = under.moves(moved);
-            if ends || leaves { under.held(moved, ends) } else { moved }
+        let by: [_; TOGETHER] = core::array::from_fn(|k| {
+            let ([x, .., radius], moved) = self.in_one(members, &under, self.first + k);
+            let [along, distance] = if ends || leaves { under.held(moved, ends) } else { moved };
+            [along, distance, x, radius]
         });
-        ([[a, b, c, d], [e, f, g, h]], by_yaw)
-    }
-
-    fn some(&self, all: [F; DIRECTIONS]) -> [F; TOGETHER] {
-        core::array::from_fn(|k| all.get(self.first + k).copied().unwrap_or(F::zero()))
-    }
-}
-
-impl<F: Float> Moves<F> for PointMoves<'_, F> {
-    fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4] {
-        let ([along, distance], [x, .., radius]) = self.in_all(k);
-        let [x, radius] = [x, radius].map(|by_yaw| [F::zero(), F::zero(), by_yaw, F::zero()]);
-        [along, distance, x, radius].map(|all| self.some(all))
+        core::array::from_fn(|member| by.map(|own| at(&own, member)))
     }
 }

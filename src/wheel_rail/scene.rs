@@ -82,20 +82,15 @@ impl<F: Float> Scene<'_, F> {
         position: &Position<F>,
         memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
-        let Self { pair, strips, .. } = *self;
+        let Self { rail, wheel, pair, strips, .. } = *self;
         let Workspace { gap, strips: whole, contacts, count, apart } = memory;
-        self.touch(position, gap)?;
-        let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
-        (*count, *apart) = (found.written as u32, found.apart);
-        Ok(found.warning)
-    }
-
-    fn touch(&self, position: &Position<F>, gap: &mut Gap<F>) -> Result<F, Error> {
-        let Self { rail, wheel, pair, .. } = *self;
         pair.check()?;
         let right = position.mirrored(pair.left != 0);
         let reach = view::reach(wheel.step, pair.smoothing_length);
-        touch_of_pair(rail, wheel, pair, &right, reach, gap)
+        touch_of_pair(rail, wheel, pair, &right, reach, gap)?;
+        let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
+        (*count, *apart) = (found.written as u32, found.apart);
+        Ok(found.warning)
     }
 
     pub(super) fn wrench(

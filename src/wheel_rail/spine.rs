@@ -158,11 +158,12 @@ impl<F: Float> Polyline<F> {
         let limit = F::widened(count as f32).times(ROUGHNESS).plus(CORNERS);
         let mut rough = F::zero();
         let mut last: Option<[F; 2]> = None;
-        let points = self.points.iter().zip(&self.lengths).take(count);
-        let nexts = self.points.iter().zip(&self.lengths).take(count).skip(1);
-        for (([y, z], from), ([v, w], to)) in points.zip(nexts) {
-            let width = *to - *from;
-            let [cosine, sine] = [(*v - *y) / width, (*w - *z) / width];
+        for k in 1..count {
+            let (Some((from, [y, z])), Some((to, [v, w]))) = (self.get(k - 1), self.get(k)) else {
+                break;
+            };
+            let width = to - from;
+            let [cosine, sine] = [(v - y) / width, (w - z) / width];
             if let Some([c, s]) = last {
                 rough += F::one() - (c * cosine + s * sine);
             }
@@ -198,13 +199,12 @@ impl<F: Float> Polyline<F> {
             let k = best.segment;
             let before = if k > 0 { self.foot(k - 1, point) } else { None };
             let after = if k + 1 < segments { self.foot(k + 1, point) } else { None };
-            let mut found = false;
             for other in [before, after].into_iter().flatten() {
                 if other.squared_distance < best.squared_distance {
-                    (best, found) = (other, true);
+                    best = other;
                 }
             }
-            if !found {
+            if best.segment == k {
                 break;
             }
         }

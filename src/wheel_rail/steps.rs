@@ -16,7 +16,7 @@ use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Float, Number, length};
+use crate::number::{Float, Number, at, length};
 use crate::patch::StoredPatch;
 use crate::status::Error;
 
@@ -118,9 +118,8 @@ impl<F: Float> Steps<'_, F> {
                             if strips.count > 0 {
                                 let moved = view.moved(moves, direction, step);
                                 contact.fill(&moved, strips, &pressed);
-                                let rates = rates.get(direction - first);
-                                let rate = rates.and_then(|rates| rates.get(number));
-                                let rate = rate.copied().unwrap_or(F::zero());
+                                let rate = rates.get(direction - first);
+                                let rate = rate.map_or(F::zero(), |rates| at(rates, number));
                                 contact.share = (group.share + step * rate).max(F::zero());
                                 take(direction, F::one() / weight, contact, strips)?;
                             }
@@ -235,8 +234,10 @@ impl<'a, F: Float> View<'a, F> {
     /// ```
     fn step_in(&self, moves: &PointMoves<F>, direction: usize, deepest: F, creepage: F) -> F {
         let [_, distance, ..] = self.lists;
-        let lowest = lowest(distance);
-        let least = distance.get(lowest).copied().unwrap_or(F::zero());
+        let lower = |(lowest, least), (k, own): (usize, &F)| {
+            if *own < least { (k, *own) } else { (lowest, least) }
+        };
+        let (lowest, least) = distance.iter().enumerate().fold((0, F::LARGEST), lower);
         let [along, lifted, x, _, z, ..] = moves.in_direction(lowest, direction);
         let depth = (-least).max(deepest).max(F::of(SHALLOWEST));
         let radius = self.pair.wheel_radius;
@@ -246,15 +247,4 @@ impl<'a, F: Float> View<'a, F> {
         let deforms = lifted.abs() / depth + length(along, x) / (depth * radius).sqrt();
         F::EPSILON.sqrt() / (deforms.times(1.0 / SMALL) + creeps.times(1.0 / SMALL_SLIP))
     }
-}
-
-/// The number of the least of a list.
-fn lowest<F: Float>(list: &[F]) -> usize {
-    let (mut number, mut least) = (0, F::LARGEST);
-    for (k, own) in list.iter().enumerate() {
-        if *own < least {
-            (number, least) = (k, *own);
-        }
-    }
-    number
 }

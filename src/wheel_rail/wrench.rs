@@ -149,14 +149,14 @@ pub(super) fn sum_of_contacts<F: Float, const SLOPES: bool>(
             continue;
         }
         let mut pressed = Pressed { patch: &contact.patch, factor, room: &mut *room };
-        let carried = if curved::has_own_slip(contact, law) {
+        // creep forces on the rail, conjugate to the wheel's velocities, and frictional power
+        let (creep, power, told) = if curved::has_own_slip(contact, law) {
             let found = curved::creep::<F, SLOPES>(contact, pressed, &velocity, &rolling, law)?;
             if let Some(sums) = &mut derivatives {
                 sums.add_creep(contact, &found, factor);
             }
-            let Creep { wrench, power, warning, .. } = found;
-            let wrench = wrench.map(|force| force * contact.share);
-            Carried { wrench, dissipation: power * rolling.speed * contact.share, warning }
+            let wrench = found.wrench.map(|force| force * contact.share);
+            (wrench, found.power * rolling.speed * contact.share, found.warning)
         } else {
             let carried = match &mut derivatives {
                 None => pressed.carried(&rolling, law)?,
@@ -166,24 +166,23 @@ pub(super) fn sum_of_contacts<F: Float, const SLOPES: bool>(
                     found
                 }
             };
-            let Solution { power, warning, .. } = carried;
             let force = carried.components().map(|force| force * contact.share);
             // of unlike materials, pressure moves the surfaces as well
             let dissipation = if contact.patch.mismatch == zero {
                 dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
             } else {
-                power * rolling.speed * contact.share
+                carried.power * rolling.speed * contact.share
             };
             let wrench = contact.columns().map(|column| dot(&column, &force));
-            Carried { wrench, dissipation, warning }
+            (wrench, dissipation, carried.warning)
         };
         let load = contact.normal_force * contact.share * factor;
-        for ((sum, creep), normal) in sums.iter_mut().zip(carried.wrench).zip(contact.normal) {
+        for ((sum, creep), normal) in sums.iter_mut().zip(creep).zip(contact.normal) {
             *sum = *sum - creep - load * normal;
         }
         normal_force += load;
-        dissipation += carried.dissipation;
-        warning = warning.worse(carried.warning);
+        dissipation += power;
+        warning = warning.worse(told);
     }
     Error::Overflow.unless(are_finite(&sums) && are_finite(&[normal_force, dissipation]))?;
     if let Some(sums) = derivatives {
@@ -250,14 +249,6 @@ impl<F: Float> WrenchDerivatives<F> {
             }
         }
     }
-}
-
-/// Creep forces of a contact on the rail, conjugate to the velocities of the wheel, and frictional
-/// power.
-struct Carried<F> {
-    wrench: [F; 6],
-    dissipation: F,
-    warning: Warning,
 }
 
 impl<F: Float> Pressed<'_, F> {
