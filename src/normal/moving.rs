@@ -1,13 +1,12 @@
 //! The smoothed distance of two surfaces that move: its derivatives in some directions.
 
 use crate::normal::directions::{Moves, TOGETHER};
-use crate::normal::parabola::STEPS;
+use crate::normal::parabola::{STEPS, near_points, with_ridge};
 use crate::normal::profile::Profile;
 use crate::normal::smooth::{SmoothedProfile, low_level};
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
-use crate::numerics::parabola::NormalEquations;
+use crate::number::{Arithmetic, Float, at};
 use core::cell::Cell;
 
 /// A number with its derivatives.
@@ -62,11 +61,8 @@ impl<'a, F: Float> Moving<'a, F> {
                 moves
             }
         };
-        let at = |list: &[F]| list.get(k).copied().unwrap_or(F::zero());
-        [
-            Dual { value: at(y), gradient: moved },
-            Dual { value: at(distance) - *lowest, gradient: lifted },
-        ]
+        let height = at(distance, k) - *lowest;
+        [Dual { value: at(y, k), gradient: moved }, Dual { value: height, gradient: lifted }]
     }
 
     #[inline(always)]
@@ -110,15 +106,13 @@ impl<'a, F: Float> Moving<'a, F> {
     /// Height and slope of the curve at a place.
     #[inline(always)]
     fn knot(&self, place: Directed<F>) -> [Directed<F>; 2] {
-        let (zero, one) = (Directed::zero(), Directed::one());
-        let smooth = |t: Directed<F>| t.squared() * (Directed::constant(3.0) - t.times(2.0));
         let before = |y: F| self.profile.y.partition_point(|own| *own < y);
         let next = before(place.value);
         let spacing = self.spacing(place, next);
         let length = spacing.squared().shift(self.length * self.length).sqrt();
         let inverse = length.inverse();
         let [begin, end] = [place.value - length.value, place.value + length.value].map(before);
-        let (mut m, mut s) = ([zero; 5], [zero; 3]);
+        let (mut m, mut s) = ([Directed::zero(); 5], [Directed::zero(); 3]);
         for k in begin..end {
             let [y, height] = self.point(k);
             let x = (y - place) * inverse;
@@ -147,26 +141,15 @@ impl<'a, F: Float> Moving<'a, F> {
                 (power, slope) = (power * x.value, slope * x.value + power);
             }
         }
-        let [m0, _, m2, _, m4] = &mut m;
-        let share = *m0 * inverse.times(35.0 / 64.0);
-        let ridge = Directed::from_base(F::EPSILON.sqrt().times(0.1));
-        let varies = (*m0 * *m4 - m2.squared()).max(zero) * m0.squared().inverse();
-        *m4 += *m0 * ridge.squared() * (varies + ridge).inverse();
-        let [height, slope, _] = NormalEquations::of_moments(m).coefficients(s);
-        let slope = slope * inverse;
-        // where hardly a point counts, the curve follows the points
-        let t = smooth(share.plus(-0.45).times(5.0).max(zero).min(one));
-        if t.value >= F::one() {
-            return [height, slope];
-        }
-        let next = next.min(self.profile.y.len().saturating_sub(1)).max(1);
-        let ([from, low], [to, high]) = (self.point(next - 1), self.point(next));
-        let above = low + (place - from) / (to - from) * (high - low);
-        if t.value > F::zero() { [above + (height - above) * t, slope * t] } else { [above, zero] }
+        let share = m[0] * inverse.times(35.0 / 64.0);
+        let [height, slope, _] = with_ridge(m).coefficients(s);
+        near_points(share, [height, slope * inverse], || {
+            let next = next.min(self.profile.y.len().saturating_sub(1)).max(1);
+            let ([from, low], [to, high]) = (self.point(next - 1), self.point(next));
+            low + (place - from) / (to - from) * (high - low)
+        })
     }
-}
 
-impl<F: Float> Moving<'_, F> {
     /// Derivatives of the logarithm of the length over which the profile is low.
     fn stretch(&self) -> [F; TOGETHER] {
         let inverse = F::one() / (low_level(self.profile) + F::TINY);

@@ -7,6 +7,8 @@ use crate::normal::profile::Profile;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Float, Strips};
 use crate::numerics::parabola::NormalEquations;
+use crate::numerics::smooth_step;
+use core::ops::Range;
 
 /// Smoothing length over the distance of neighbouring points, at least.
 pub(crate) const STEPS: f64 = 2.5;
@@ -42,7 +44,7 @@ pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
     while is_inside(end) {
         end += 1;
     }
-    let (moments, sums) = moments(profile, y, inverse, begin, end);
+    let (moments, sums) = Near { profile, y, inverse, points: begin..end }.moments();
     // w = (1 − x²)³ = (1 − x²)² − x² (1 − x²)²; by ln s and by the place over s, x^k being what it
     // was: dw = 6 x² (1 − x²)², 6 x (1 − x²)²
     let six = inverse.times(6.0);
@@ -51,15 +53,10 @@ pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
         let (low, middle, high) = (at(k), at(k + 1), at(k + 2));
         T::composed(low - high, [high * six, middle * six], [length, place])
     };
-    let mut m: [T; 5] = core::array::from_fn(|k| of(&moments, k));
-    // (two points alone, where x² does not vary, make a line)
-    let ridge = T::from_base(F::EPSILON.sqrt().times(0.1));
-    let [m0, _, m2, _, m4] = &mut m;
-    let varies = (*m0 * *m4 - m2.squared()).max(T::zero()) * m0.squared().inverse();
-    *m4 += *m0 * ridge.squared() * (varies + ridge).inverse();
+    let m: [T; 5] = core::array::from_fn(|k| of(&moments, k));
     // ∫ (1 − x²)³ dx = 32/35, and a point's length is that between its neighbours
-    let share = m0.value() * inverse.times(35.0 / 64.0);
-    let equations = NormalEquations::of_moments(m);
+    let share = m[0].value() * inverse.times(35.0 / 64.0);
+    let equations = with_ridge(m);
     let [height, slope, bend] = equations.coefficients([0, 1, 2].map(|k| of(&sums, k)));
     // the same parabola about the place that has moved
     let moved = |x: T, slope: F| T::composed(x.value(), [F::one(), slope * inverse], [x, place]);
@@ -68,71 +65,93 @@ pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
     Parabola { height, slope, share }
 }
 
-/// `Σ w (1 − x²)² xᵏ` over the points from `begin` to `end`, with `|x| < 1`, `x` the distance from
-/// `y` times `inverse` and `w` the length that a point stands for; and the same sums with the
-/// heights of the points.
-fn moments<F: Float>(
-    profile: &Profile<F>,
-    y: F,
-    inverse: F,
-    begin: usize,
-    end: usize,
-) -> ([F; 7], [F; 5]) {
-    with_avx!(if 1 => <F: Float>(
-        profile: &Profile<F> = profile,
-        y: F = y,
-        inverse: F = inverse,
-        begin: usize = begin,
-        end: usize = end
-    ) -> ([F; 7], [F; 5]) {
-        moments_in_fours::<F, F::Four>(profile, y, inverse, begin, end)
-    } {
-        moments_in_fours::<F, F::WideFour>(profile, y, inverse, begin, end)
-    })
+/// The normal equations; two points alone, where `x²` does not vary, make a line.
+#[inline(always)]
+pub(super) fn with_ridge<F: Float, T: Arithmetic<Value = F>>(mut m: [T; 5]) -> NormalEquations<T> {
+    let ridge = T::from_base(F::EPSILON.sqrt().times(0.1));
+    let [m0, _, m2, _, m4] = &mut m;
+    let varies = (*m0 * *m4 - m2.squared()).max(T::zero()) * m0.squared().inverse();
+    *m4 += *m0 * ridge.squared() * (varies + ridge).inverse();
+    NormalEquations::of_moments(m)
 }
 
-/// The same, four points side by side.
+/// Height and slope of the curve: where hardly a point counts, by its share, it follows the points,
+/// whose height is `above`.
 #[inline(always)]
-fn moments_in_fours<F: Float, P: Strips<F>>(
-    profile: &Profile<F>,
+pub(super) fn near_points<F: Float, T: Arithmetic<Value = F>>(
+    share: T,
+    [height, slope]: [T; 2],
+    above: impl FnOnce() -> T,
+) -> [T; 2] {
+    let t = share.plus(-0.45).times(5.0).max(T::zero()).min(T::one());
+    if t.value() >= F::one() {
+        return [height, slope];
+    }
+    let (t, above) = (smooth_step(t), above());
+    if t.value() > F::zero() {
+        [above + (height - above) * t, slope * t]
+    } else {
+        [above, T::zero()]
+    }
+}
+
+/// Points of a profile near a place `y`, with `|x| < 1` for the distance `x` from it times `inverse`.
+struct Near<'a, F> {
+    profile: &'a Profile<'a, F>,
     y: F,
     inverse: F,
-    begin: usize,
-    end: usize,
-) -> ([F; 7], [F; 5]) {
-    let (places, heights) = (profile.y, profile.distance);
-    let (mut moments, mut sums) = ([P::zero(); 7], [P::zero(); 5]);
-    let (y, inverse, lowest) = (P::all(y), P::all(inverse), P::all(profile.lowest));
-    let (one, zero) = (P::one(), P::zero());
-    let fade = profile.fade.map(|[full, none]| {
-        let none = none - profile.lowest;
-        [P::all(none), P::all(F::one() / (none + profile.lowest - full))]
-    });
-    for first in (begin..end).step_by(4) {
-        let x = (four::<F, P>(places, first) - y) * inverse;
-        let before = if first > 0 {
-            four::<F, P>(places, first - 1)
-        } else {
-            P::gather(|k| places.get(k.saturating_sub(1)).copied().unwrap_or(F::zero()))
-        };
-        let width = four::<F, P>(places, first + 1) - before;
-        let height = four::<F, P>(heights, first) - lowest;
-        let rest = (one - x.squared()).max(zero);
-        let mut power = rest.squared() * width;
-        if let Some([none, inverse]) = fade {
-            let u = ((none - height) * inverse).max(zero).min(one);
-            power = power * u.squared() * (P::constant(3.0) - u.times(2.0));
-        }
-        for (moment, sum) in moments.iter_mut().zip(&mut sums) {
-            *moment += power;
-            *sum += power * height;
-            power = power * x;
-        }
-        let [.., fifth, sixth] = &mut moments;
-        *fifth += power;
-        *sixth += power * x;
+    points: Range<usize>,
+}
+
+impl<F: Float> Near<'_, F> {
+    /// `Σ w (1 − x²)² xᵏ` with the length `w` that a point stands for, and the same sums with the
+    /// heights of the points.
+    fn moments(&self) -> ([F; 7], [F; 5]) {
+        with_avx!(if 1 => <F: Float>(near: &Near<'_, F> = self) -> ([F; 7], [F; 5]) {
+            near.in_fours::<F::Four>()
+        } {
+            near.in_fours::<F::WideFour>()
+        })
     }
-    (moments.map(P::total), sums.map(P::total))
+
+    /// The same, four points side by side.
+    #[inline(always)]
+    fn in_fours<P: Strips<F>>(&self) -> ([F; 7], [F; 5]) {
+        let Self { profile, y, inverse, ref points } = *self;
+        let (places, heights) = (profile.y, profile.distance);
+        let (mut moments, mut sums) = ([P::zero(); 7], [P::zero(); 5]);
+        let (y, inverse, lowest) = (P::all(y), P::all(inverse), P::all(profile.lowest));
+        let (one, zero) = (P::one(), P::zero());
+        let fade = profile.fade.map(|[full, none]| {
+            let none = none - profile.lowest;
+            [P::all(none), P::all(F::one() / (none + profile.lowest - full))]
+        });
+        for first in points.clone().step_by(4) {
+            let x = (four::<F, P>(places, first) - y) * inverse;
+            let before = if first > 0 {
+                four::<F, P>(places, first - 1)
+            } else {
+                P::gather(|k| places.get(k.saturating_sub(1)).copied().unwrap_or(F::zero()))
+            };
+            let width = four::<F, P>(places, first + 1) - before;
+            let height = four::<F, P>(heights, first) - lowest;
+            let rest = (one - x.squared()).max(zero);
+            let mut power = rest.squared() * width;
+            if let Some([none, inverse]) = fade {
+                let u = ((none - height) * inverse).max(zero).min(one);
+                power = power * u.squared() * (P::constant(3.0) - u.times(2.0));
+            }
+            for (moment, sum) in moments.iter_mut().zip(&mut sums) {
+                *moment += power;
+                *sum += power * height;
+                power = power * x;
+            }
+            let [.., fifth, sixth] = &mut moments;
+            *fifth += power;
+            *sixth += power * x;
+        }
+        (moments.map(P::total), sums.map(P::total))
+    }
 }
 
 /// Four numbers of a list; where it ends the last one again.

@@ -6,7 +6,7 @@
 //! parabola is not changed, wherever its points lie.
 
 use crate::normal::extremes::cuts;
-use crate::normal::parabola::{Parabola, STEPS, parabola};
+use crate::normal::parabola::{Parabola, STEPS, near_points, parabola};
 use crate::normal::profile::Profile;
 use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, pairs};
@@ -323,19 +323,11 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             for own in (knot - 1).max(next)..=(knot + 1).min(high_end) {
                 let (y, joined) = (grid.at(own), last == own - 1 && own > low_end);
                 first = after(first, y.value);
-                let Parabola { mut height, mut slope, share } =
+                let Parabola { height, slope, share } =
                     parabola(profile, y.value, first, length.value);
-                // where hardly a point counts, the curve follows the points
-                let t = ((share - F::of(0.45)).times(5.0)).clamped(F::zero(), F::one());
-                if t < F::one() {
-                    let t = t * t * (F::constant(3.0) - t.times(2.0));
-                    let above = profile.distance_at(y.value) - profile.lowest;
-                    let blended = |own: F, other: F| {
-                        if t > F::zero() { other + (own - other) * t } else { other }
-                    };
-                    (height, slope) = (blended(height, above), blended(slope, F::zero()));
-                }
-                let (height, slope) = (Dual::from_base(height), Dual::from_base(slope));
+                let above = || profile.distance_at(y.value) - profile.lowest;
+                let [height, slope] =
+                    near_points(share, [height, slope], above).map(Dual::from_base);
                 if self.knots.push(Knot { y, height, slope, joined }).is_err() {
                     return false;
                 }

@@ -119,20 +119,13 @@ impl<F: Float> Scene<'_, F> {
         derivatives: Option<&mut WrenchDerivatives<F>>,
         by_position: Option<&mut WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
-        let found = self.with_slopes(position, velocity, memory, derivatives, by_position)?;
-        Ok(Wrench { warning: found.warning.worse(self.plausibility(memory.found())), ..found })
-    }
-
-    fn with_slopes(
-        &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
-        memory: &mut Workspace<F>,
-        derivatives: Option<&mut WrenchDerivatives<F>>,
-        by_position: Option<&mut WrenchByPosition<F>>,
-    ) -> Result<Wrench<F>, Error> {
+        let with_warning = |found: Wrench<F>, memory: &Workspace<F>| {
+            let warning = found.warning.worse(self.plausibility(memory.found()));
+            Wrench { warning, ..found }
+        };
         let Some(slopes) = by_position else {
-            return self.wrench(position, velocity, memory, derivatives);
+            let found = self.wrench(position, velocity, memory, derivatives)?;
+            return Ok(with_warning(found, memory));
         };
         *slopes = WrenchByPosition::default();
         let is_straight = self.pair.rail_radius <= F::zero();
@@ -155,7 +148,7 @@ impl<F: Float> Scene<'_, F> {
                 self.place(position, memory)?;
             }
         }
-        Ok(found)
+        Ok(with_warning(found, memory))
     }
 
     /// Derivatives with respect to the place of a roller's axis, by central differences; zero where
