@@ -23,10 +23,9 @@ pub(crate) struct Cell<F, const N: usize> {
     /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
     /// hardly a gap between them, at the middle of both.
     pub(super) at: Dual<F, N>,
-    /// How strongly the pressure is coupled to that of the cell before and to that of the cell
-    /// after, `κ` \[m\].
+    /// Coupling `κ` of the pressure to that of the cell before and of the cell after \[m\].
     pub(super) coupling: [Dual<F, N>; 2],
-    /// How strongly it is coupled to a pressure of zero, `κ` \[m\].
+    /// Coupling `κ` to a pressure of zero \[m\].
     pub(super) alone: Dual<F, N>,
     /// Share of a whole cell.
     pub(super) share: Dual<F, N>,
@@ -88,8 +87,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         self.list.iter().fold(Dual::zero(), |sum, cell| sum + cell.load())
     }
 
-    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load, of
-    /// numbers that `of` makes.
+    /// Mean pressure over mean half length, and mean width \[m\], weighted with the load.
     pub(crate) fn means(&self, of: impl Fn(Dual<F, N>) -> F) -> [F; 2] {
         let (mut sum, mut weight) = (F::zero(), F::TINY);
         let (mut widths, mut loads) = (F::zero(), F::TINY);

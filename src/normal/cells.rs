@@ -30,8 +30,7 @@ use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
 
-/// Rounds in which all cells are removed and added that should be; one or two are usual. In later
-/// rounds only the first of them is.
+/// Rounds that change all cells that should be; usually one or two. Later ones change the first.
 const TOGETHER: usize = 12;
 const ROUNDS: usize = TOGETHER + 2 * CELLS;
 
@@ -229,8 +228,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             }
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
-            // the power of c as its Padé approximant, which keeps the correction within a factor of
-            // 4 for every c
+            // the Padé approximant of the power of c keeps the correction within a factor of 4
             let c = (curvature * cell.rolling_radius).max(Dual::zero());
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }

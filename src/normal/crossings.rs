@@ -17,8 +17,7 @@ pub(crate) struct Overlap<F> {
 }
 
 impl<F: Float, const N: usize> SmoothedProfile<F, N> {
-    /// Hands every zone where the surfaces overlap to `take`, in ascending order, made of the
-    /// numbers that `number` makes.
+    /// Hands every zone of overlap to `take`, in ascending order, made of what `number` makes.
     pub(crate) fn overlaps(
         &self,
         number: impl Fn(Dual<F, N>) -> F,

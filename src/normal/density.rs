@@ -77,8 +77,7 @@ impl<F: Float, const N: usize> Stretch<F, N> {
 }
 
 impl<F: Float, const N: usize> Zones<F, N> {
-    /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length
-    /// \[m\].
+    /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length.
     #[inline(always)]
     pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
@@ -114,8 +113,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
         }
     }
 
-    /// A zone begins at `y`, where the function has this value and slope. Without room the last
-    /// zone goes on instead.
+    /// A zone begins at `y` with this value and slope. Without room the last zone goes on instead.
     pub fn begin(&mut self, y: Dual<F, N>, of: [Dual<F, N>; 2]) {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;

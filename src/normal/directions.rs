@@ -11,8 +11,7 @@ pub(crate) const TOGETHER: usize =
 
 /// How points move.
 pub(crate) trait Moves<F> {
-    /// Derivatives of the place, the distance, the centre along `x` and the rolling radius of a
-    /// point.
+    /// Derivatives of place, distance, centre along `x` and rolling radius of a point.
     fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
 }
 

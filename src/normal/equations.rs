@@ -58,8 +58,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
         }
     }
 
-    /// Adds `κ (p_i − p_k)` to the deflection of cell `i`. (Past the last cell there is nothing,
-    /// whose pressure is zero.)
+    /// Adds `κ (p_i − p_k)` to the deflection of cell `i`; past the last cell the pressure is zero.
     pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: Dual<F, N>) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (k, sign) in [(i, F::one()), (k, -F::one())] {
@@ -74,8 +73,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
         }
     }
 
-    /// Solves the equations of the touching cells for two right-hand sides, in place; zero for the
-    /// others.
+    /// Solves the equations of touching cells for two right-hand sides, in place; others are zero.
     pub(super) fn solve(&mut self, touching: &[usize], sides: &mut [Column<F>; 2]) {
         with_avx!(if 1 => <F: Float; N, ROOM>(
             equations: &mut Equations<F, N, ROOM> = self,

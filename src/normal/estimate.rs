@@ -20,8 +20,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, Number, Strips};
 use heapless::Vec;
 
-/// Share of the approach: undeformed bodies that are shifted by so much overlap about where they
-/// touch.
+/// Share of the approach by which shifted undeformed bodies overlap about where they touch.
 pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;

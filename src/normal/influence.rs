@@ -23,8 +23,7 @@ pub(crate) trait StripEdge {
     const WITH_LOG: [f64; 6];
     const FADING: u8;
 
-    /// The value and `t` times its slope, at a positive `t` of which `w = 1/(1 + t)` and the
-    /// logarithm are known.
+    /// The value and `t` times its slope at `t > 0`, from `w = 1/(1 + t)` and the logarithm.
     #[inline(always)]
     fn kernel<T: Arithmetic>(t: T, w: T, log: T) -> [T; 2] {
         let v = t * w;

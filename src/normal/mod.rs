@@ -50,8 +50,7 @@ use heapless::Vec;
 
 /// Number of corrections of the lengths.
 const PASSES: usize = 2;
-/// Pressure over length, in units of the mean of the patch, below which a strip is shortened, and
-/// the least share that is left of its length.
+/// Pressure over length, by the patch's mean, below which strips are shortened; least share left.
 const LEAST_SLOPE: f64 = 0.25;
 const LEAST_LENGTH: f64 = 1e-3;
 
@@ -214,8 +213,7 @@ impl<F: Float> Indentation<F> {
         let [slope, usual] = cells.means(&of);
         let slope = slope.times(LEAST_SLOPE);
         for cell in cells.list.iter().filter(|cell| cell.pressure.value > F::zero()) {
-            // the same load on less: the length of a strip that begins to touch vanishes with its
-            // pressure
+            // the same load on less: where a strip begins to touch, length and pressure vanish
             let (a, p) = (of(cell.half_length), of(cell.pressure));
             let share = (p / (slope * a)).min(F::one()).sqrt().max(F::of(LEAST_LENGTH));
             // and on the usual width: what is wider carries little

@@ -22,8 +22,7 @@ type Kept<F> = (usize, [[F; TOGETHER]; 2]);
 struct Moving<'a, F> {
     profile: &'a Profile<'a, F>,
     points: &'a dyn Moves<F>,
-    /// Distance from which a point does not count, above the lowest, and one over the distance over
-    /// which it fades.
+    /// Height from which a point does not count, and one over the distance over which it fades.
     none: F,
     per_fade: F,
     length: F,
@@ -167,8 +166,7 @@ impl<'a, F: Float> Moving<'a, F> {
 }
 
 impl<F: Float> SmoothedProfile<F, TOGETHER> {
-    /// Gives a curve of surfaces, none of which is left out, the derivatives that it has as the
-    /// points move.
+    /// Gives a whole curve of surfaces the derivatives that it has as the points move.
     pub(crate) fn follow(&mut self, profile: &Profile<F>, points: &dyn Moves<F>, length: F) {
         let [first, last] = profile.ends;
         let length = length.min(last - first);

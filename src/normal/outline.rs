@@ -16,11 +16,9 @@ use crate::status::Error;
 use core::f64::consts::PI;
 use heapless::Vec;
 
-/// Share of the estimated deflection that lies between the undeformed bodies at the edge of the
-/// contact.
+/// Gap of the undeformed bodies at the edge of the contact, over the estimated deflection.
 const DEFLECTED: f64 = 0.73;
-/// Largest height above the lowest point, over the first guess of the approach, at which the curve
-/// has knots.
+/// Largest height of the curve's knots above the lowest point, over the first approach.
 const REACH: f64 = 1.6;
 /// Power of a correction times the number of lengths that it moves.
 const POWER: f64 = 0.94;
@@ -201,8 +199,7 @@ fn cells_of_zones<F: Float, const N: usize>(
     (at_end, layout(&zones, count, cells))
 }
 
-/// First half lengths: those of an ellipse at whose rim the undeformed bodies are `λ δ` apart when
-/// they approach by `δ`.
+/// First half lengths: of an ellipse at whose rim the undeformed bodies are `λ δ` apart.
 struct Lengths<F, const N: usize> {
     rim: Dual<F, N>,
     /// About the logarithm of the axis ratio, times 1.13.

@@ -18,13 +18,11 @@ pub(super) struct Parabola<T: Arithmetic> {
     /// Above the lowest point of the profile \[m\].
     pub height: T,
     pub slope: T,
-    /// Sum of the weights, over that of points everywhere within the smoothing length that all
-    /// count fully.
+    /// Sum of the weights, over that of points all along the smoothing length that count fully.
     pub share: T::Value,
 }
 
-/// The parabola about a place, of numbers with derivatives or without; `next` is the number of the
-/// first point that is not before it.
+/// The parabola about a place; `next` is the number of the first point that is not before it.
 pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
     profile: &Profile<F>,
     place: T,
@@ -163,8 +161,7 @@ fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
     }
 }
 
-/// 2.5 steps of the profile at `y`, straight between its points; at least 1.25 times the gap that
-/// `y` lies in.
+/// 2.5 steps of the profile, straight between its points; at least 1.25 times the gap at `place`.
 fn spacing<F: Float, T: Arithmetic<Value = F>>(profile: &Profile<F>, place: T, next: usize) -> T {
     let places = profile.y;
     let last = places.len().saturating_sub(1);

@@ -6,8 +6,7 @@ use crate::number::dual::Dual;
 use crate::number::{Arithmetic, Float, are_finite, ascend, at, pairs};
 use crate::status::Error;
 
-/// Share of the approach: undeformed bodies that are shifted by so much overlap about over the
-/// width of the patch.
+/// Share of the approach by which shifted undeformed bodies overlap about over the patch's width.
 const SECTION: f64 = 0.55;
 /// `(3/4) V/(0.55 δ)` is half the width of a parabola's section.
 const HALF_WIDTH: f64 = 0.75;
@@ -30,8 +29,7 @@ pub struct Profile<'a, F> {
     pub(super) middle: F,
     /// Mean distance of the points \[m\].
     pub(super) step: F,
-    /// Distance of the bodies up to which a point counts fully when the profile is smoothed, and
-    /// from which it does not count \[m\].
+    /// Distances up to which a point counts fully in smoothing, and from which it does not \[m\].
     pub(super) fade: Option<[F; 2]>,
     /// How the points move, if they do.
     pub(super) motion: Option<&'a dyn Moves<F>>,
@@ -168,8 +166,7 @@ impl<'a, F: Float> Profile<'a, F> {
         found
     }
 
-    /// The length over which the distance is less than a level above `from`; between once and twice
-    /// the level it counts less and less.
+    /// Length with less distance than a level above `from`, fading from once to twice the level.
     pub(super) fn low_length<const N: usize>(&self, level: Dual<F, N>, from: F) -> Dual<F, N> {
         let inverse = level.shift(F::TINY).inverse();
         let one = Dual::one();
@@ -182,8 +179,7 @@ impl<'a, F: Float> Profile<'a, F> {
         length
     }
 
-    /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` that of a contact whose
-    /// profile has none.
+    /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` for a profile without radii.
     pub(super) fn section<const N: usize>(&self, approach: Dual<F, N>, radius: F) -> Section<F, N> {
         let level = approach.times(SECTION);
         let mut volume = Dual::from_base(F::TINY);

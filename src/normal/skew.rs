@@ -86,8 +86,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [Dual<F, N>; 2] {
 }
 
 impl<F: Float, const N: usize> Cells<'_, F, N> {
-    /// Skews the cells of the normal problem; returns the factor of the approach, one where it is
-    /// given.
+    /// Skews the cells; returns the factor of the approach, one where the approach is given.
     #[inline(never)]
     pub(super) fn skew(&mut self, given: Given<Dual<F, N>>) -> Dual<F, N> {
         let [zero, one] = [Dual::zero(), Dual::one()];

@@ -22,8 +22,7 @@ const WIDEST: f64 = 2e-3;
 /// Smoothing length of narrow contacts over their width.
 const SHARE: f64 = 0.5;
 
-/// By how much the smoothed curve of surfaces may lie below the lowest of the points around, over
-/// the range of their distances.
+/// Depth of the curve below the lowest of the points around, over the range of their distances.
 const FALL: f64 = 0.35;
 
 /// Share of the knots that the low part of a profile takes at most; others are for its margins.
@@ -64,8 +63,7 @@ pub(crate) struct SmoothedProfile<F, const N: usize> {
     pub(super) length: Dual<F, N>,
     /// Whether the steps of the knots are those of the length where the profile is low.
     pub(super) is_wide: bool,
-    /// Whether the curve counts as constant, without its derivatives with respect to load or
-    /// approach.
+    /// Whether the curve counts as constant, without derivatives.
     pub(super) still: bool,
 }
 
@@ -109,8 +107,7 @@ impl<F: Float, const N: usize> Grid<F, N> {
     }
 }
 
-/// The smoothing length without regard to the points: half the width of a narrow contact, 2 mm of a
-/// wide one.
+/// The smoothing length: half the width of a narrow contact, 2 mm for a wide one.
 pub(super) fn length_for<F: Float, const N: usize>(half_width: Dual<F, N>) -> Dual<F, N> {
     let narrow = half_width.times(2.0 * SHARE);
     let widest = Dual::from_base(F::of(WIDEST));
@@ -206,8 +203,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         }
     }
 
-    /// Places knots where the profile is low: at equal steps to both sides of its middle, and at
-    /// its ends. Returns whether there was room.
+    /// Places knots where the profile is low. Returns whether there was room.
     fn fill(
         &mut self,
         profile: &Profile<F>,
@@ -337,8 +333,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         true
     }
 
-    /// Hands every piece to `take`, with the cubic through the value and the slope that `of` gives
-    /// at its knots.
+    /// Hands every piece to `take`, with the cubic of the value and slope that `of` gives at knots.
     pub(super) fn pieces(
         &self,
         of: impl Fn(&Knot<F, N>) -> [Dual<F, N>; 2],

@@ -26,8 +26,7 @@ impl<F: Float> Extremes<F> {
         own
     }
 
-    /// Whether the numbers are of the usual sizes, 1 nm to 1 m and up to TPa: then no check can
-    /// fail, in either precision.
+    /// Whether the sizes are usual, 1 nm to 1 m and up to TPa: then no check can fail.
     pub(super) fn are_usual(&self) -> bool {
         let (zero, one, small) = (F::zero(), F::one(), F::of(1e-9));
         let nearest = [-one, small, small, -one, zero, zero];

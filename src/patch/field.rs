@@ -70,8 +70,7 @@ impl<'a, F: Float> PatchField<'a, F> {
         model: Model,
     ) -> Result<Self, Error> {
         Problem::with_strips(patch, creepage, model)?;
-        // The dissipation of a point is traction times slip, and the slip is of the size of the
-        // rigid slip.
+        // Dissipation is traction times slip, which is of the size of the rigid slip.
         let tractions = patch.strips().iter().map(|strip| strip.friction * strip.peak_pressure);
         let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
         Error::Overflow.unless((tractions.fold(F::zero(), F::max) * slip).is_finite_number())?;

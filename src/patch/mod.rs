@@ -113,8 +113,7 @@ impl<F: Float> PatchStrip<F> {
         next.y - self.y > self.touching(next).times(1.5)
     }
 
-    /// Whether the next strip lies beside this one. The widths of a Gauss rule overlap by up to a
-    /// quarter.
+    /// Whether the next strip lies beside this one; widths of a Gauss rule overlap by a quarter.
     fn is_beside(&self, next: &Self) -> bool {
         next.y > self.y && next.y - self.y >= self.touching(next).times(0.5)
     }
@@ -186,8 +185,7 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
         Ok(patch)
     }
 
-    /// Returns an error if the strips do not carry this load, because at the ends of the number
-    /// range no digits are left.
+    /// An error if the strips do not carry this load, for lack of digits at the ends of the range.
     pub(crate) fn check(&self, load: F) -> Result<(), Error> {
         let lost = (self.view()?.normal_force() - load).abs();
         if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
@@ -228,12 +226,10 @@ pub(crate) fn check_ellipse<F: Float>(
         last = Some(strip);
         fits
     });
-    // A strip of size zero, or sums beyond the number range, occur only in contacts at the ends of
-    // that range.
+    // Strips of size zero and infinite sums occur only at the ends of the number range.
     let scale = scale.map_err(|_| Error::Overflow)?;
     let friction = if load > F::zero() { bound / load } else { contact.friction };
-    // The equivalent ellipse of the strips differs slightly from the contact: neither may be at the
-    // end of the range.
+    // The equivalent ellipse of the strips differs slightly from the contact: both must fit.
     for b in [width.times(0.45), width.times(0.55)] {
         let lobe = Contact { b, normal_force: load, friction, ..*contact };
         lobe.check().map_err(|_| Error::Overflow)?;

@@ -44,8 +44,7 @@ impl<F: Float> ZoneLaw<F> {
         Self { zone: *zone, units: ZoneUnits::new(zone), linear, flexibilities }
     }
 
-    /// The creepages of strips with this centre; the creepage of the patch is theirs, not that of
-    /// the slip.
+    /// The creepages of strips with this centre, for their creepage of the patch, not the slip's.
     pub fn see<T: Number<Base = F>>(
         &self,
         slip: &PatchSlip<T>,
@@ -133,8 +132,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     }
 }
 
-/// The creepage of a zone's ellipse at `x` on its middle line, and the part of it that pressure
-/// adds.
+/// Creepage of a zone's ellipse at `x` on its middle line, and the part that pressure adds.
 pub(super) fn seen_by<T: Number>(
     zone: &Zone<T::Base>,
     linear: &LinearCoefficients<T::Base>,

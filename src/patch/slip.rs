@@ -19,8 +19,7 @@ pub(super) struct Share<T: Number> {
     pub fy: T,
     /// Moment about the origin of the patch.
     pub mz: T,
-    /// Power of the force on creepages besides that of the patch: what pressure adds, the strip's
-    /// own.
+    /// Power of the force on creepages besides the patch's: what pressure adds, the strip's own.
     pub besides: T,
     /// Share of its length in adhesion, at the leading edge.
     pub stick: T::Base,
@@ -28,8 +27,7 @@ pub(super) struct Share<T: Number> {
 }
 
 impl<T: Number<Base: Float>> Share<T> {
-    /// The forces of a strip, from its forces divided by the friction bound and its moment about
-    /// its centre in half lengths.
+    /// From forces divided by the friction bound, and the moment about the centre in half lengths.
     pub fn new(
         strip: &PatchStrip<T::Base>,
         carried: &StripForces<T>,
@@ -44,8 +42,7 @@ impl<T: Number<Base: Float>> Share<T> {
         Self { fx, fy, mz, besides: T::zero(), stick, adheres }
     }
 
-    /// The same on a strip whose creepage is that of the patch, that which pressure adds, and its
-    /// own.
+    /// The same of a strip with the creepage of the patch, that which pressure adds, and its own.
     pub fn on(
         mut self,
         strip: &PatchStrip<T::Base>,
@@ -73,8 +70,7 @@ impl<T: Number<Base: Float>> Share<T> {
     }
 }
 
-/// The motion of a patch: the creepage at its origin, and the factor of the creepage that pressure
-/// adds in unlike bodies, which is one.
+/// Creepage at a patch's origin, a factor 1 of the creepage that pressure adds, and the layer.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PatchSlip<T> {
     pub creepage: Creepage<T>,

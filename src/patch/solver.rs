@@ -42,8 +42,7 @@ use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 use nalgebra::Matrix3;
 
-/// Forces of the ellipse of a zone, the longitudinal creepage that pressure adds in unlike
-/// materials, and the creepages of bristles.
+/// Forces of a zone's ellipse, the creepage that pressure adds, and the creepages of bristles.
 type ZoneTotals<T> = (Totals<T>, T, Option<ZoneSplit<T>>);
 
 /// Upper bound of the creepage that pressure adds in any zone.

@@ -9,8 +9,7 @@ use crate::patch::zones::{Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
 
-/// Number of lobes whose zones a view keeps; those of further lobes are found again wherever they
-/// are needed.
+/// Number of lobes whose zones a view keeps; those of others are found whenever needed.
 const LOBES: usize = 4;
 
 /// A checked patch, whose strips the caller stores.
@@ -197,8 +196,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         &self.sizes
     }
 
-    /// The lobes in ascending `y`, each with the index of its first strip, and with its zone if all
-    /// its strips have the same.
+    /// The lobes, each with the index of its first strip, and the zone if all its strips share one.
     pub(crate) fn lobes_and_zones(
         &self,
     ) -> impl Iterator<Item = (usize, &'a [PatchStrip<F>], Option<Zone<F>>)> {

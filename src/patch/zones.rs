@@ -23,12 +23,10 @@ use crate::patch::extremes::Extremes;
 use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 
-/// Width of a neck, divided by the smaller part, below which there is no connection and above which
-/// it is full.
+/// Width of a neck over the smaller part: no connection below, full connection above.
 const APART: f64 = 0.55;
 const WHOLE: f64 = 0.85;
-/// Gap between neighbours, divided by the width of a strip, where their connection begins to
-/// weaken, and where it has ended.
+/// Gap between neighbours over a strip's width where the connection weakens, and where it ends.
 const TOUCHING: f64 = 0.5;
 const GAP: f64 = 1.0;
 
@@ -117,8 +115,7 @@ impl<F: Float> Sizes<F> {
     }
 }
 
-/// A walk away from a strip: the longest strip on the way, the shortest since, and the weight that
-/// is left of the connection.
+/// A walk away from a strip: the longest on the way, the shortest since, the weight that is left.
 struct Walk<F> {
     peak: F,
     neck: F,
@@ -137,8 +134,7 @@ impl<F: Float> Walk<F> {
         let l = next.half_length;
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
-        // The gap counts, not the distance of the middles, so that the result does not depend on
-        // the width of the strips.
+        // The gap counts, not the distance of the middles, which depends on the strips' width.
         let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
         let gap = gap * self.per_width;
         if self.neck < smaller.times(WHOLE) || gap > F::of(TOUCHING) {
@@ -212,8 +208,7 @@ impl<F: Float> PatchView<'_, F> {
         }
     }
 
-    /// The zone of all strips of the lobe that begins with this index, where no neck divides the
-    /// lobe and no other lobe is near.
+    /// The zone of the lobe from this index on, if no neck divides it and no other lobe is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
         let per_width = self.sizes().widths.per_width;
         let (first, last) = (lobe.first()?, lobe.last()?);

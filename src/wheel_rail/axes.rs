@@ -11,8 +11,7 @@ pub(super) struct Axes<F> {
 }
 
 impl<F: Float> Axes<F> {
-    /// A direction and a moment as derivatives with respect to the members; for a left wheel its
-    /// own.
+    /// A direction and a moment as derivatives with respect to the wheel's own velocities.
     pub fn members(&self, [x, y, z, a, b, c]: [F; 6]) -> [F; 6] {
         let [roll, pitch, yaw] = self.turn.to_wheelset([a, b, c]);
         if self.left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }

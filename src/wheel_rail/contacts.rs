@@ -40,8 +40,7 @@ use crate::status::{Error, Warning};
 
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
-/// Turns \[rad\] up to which strips have the mean of their slip, and from which most of it is their
-/// own.
+/// Turns \[rad\] up to which strips have the mean slip, and from which most is their own.
 const TURN: [f64; 2] = [5.0 * core::f64::consts::PI / 180.0, 10.0 * core::f64::consts::PI / 180.0];
 /// Largest share of a strip's own slip, fitted to twelve contacts of conformal CONTACT that turn by
 /// 20 to 30 degrees: neighbours are coupled, which takes some of the differences of their slip.
@@ -204,8 +203,7 @@ impl<F: Float> WheelContact<F> {
         let (zero, one) = (F::zero(), F::one());
         self.patch = *strips;
         let count = strips.count as usize;
-        // sums weighted with load: of place, length on the rail, angle, 1; of tangent and normal,
-        // with their moments
+        // sums weighted with load: place, length, angle, 1; tangent and normal with their moments
         let (mut sums, mut lowest, mut highest) = ([[zero; 6]; 3], F::LARGEST, -F::LARGEST);
         let places = self.strip_y.iter_mut().zip(&mut self.strip_z).zip(&mut self.strip_angle);
         for (strip, ((own_y, own_z), own_angle)) in
@@ -238,8 +236,7 @@ impl<F: Float> WheelContact<F> {
             turns += strip.load() * (*own - angle).squared();
             (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
         }
-        // of an evenly curved contact with half-ellipses of load the turn is 2 √5 times the
-        // standard deviation
+        // with half-ellipses of load on an even curve the turn is 2 √5 times the deviation
         let turn = (turns * share).sqrt().times(2.0 * 2.236_067_977_499_79);
         let t = turn.plus(-TURN[0]).times(1.0 / (TURN[1] - TURN[0])).clamped(zero, one);
         let own = smooth_step(t).times(OWN);
@@ -280,8 +277,7 @@ impl<F: Float> WheelContact<F> {
     }
 }
 
-/// Groups the zones of a curve; returns how many contacts are separate. (Out of line: the
-/// zones need not be kept.)
+/// Groups the zones; returns how many contacts are separate. (Out of line, to keep no zones.)
 #[inline(never)]
 pub(super) fn group_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,

@@ -41,8 +41,7 @@ pub(super) struct Chords<F> {
 }
 
 impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
-    /// A point of the curve by its length, which lies between that of a point and the next one or
-    /// before it.
+    /// A point of the curve by its length, which lies between a point and the next or before.
     fn at(&self, mut k: usize, length: F) -> [F; 2] {
         let get = |k: usize| self.0.get(k);
         while k > 0 && get(k).is_some_and(|(from, _)| from > length) {
@@ -141,8 +140,7 @@ impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
             }
             (before, gone, end) = (length, reached, place);
         }
-        // the end of the curve is that of the last chord or of one more, which is nearly a whole
-        // one
+        // the end of the curve is that of the last chord, or of one more that is nearly whole
         let rest = gone / chord;
         found(if rest.plus(-0.5) > F::zero() { count + 1 } else { count }, end);
         F::widened(count as f32) + rest

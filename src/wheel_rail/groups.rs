@@ -29,8 +29,7 @@ use crate::status::Error;
 use core::mem;
 use heapless::Vec;
 
-/// Free length between zones up to which they are one contact \[m\], and from which they do not
-/// depend on each other.
+/// Free length up to which zones are one contact, and from which they are independent \[m\].
 pub(super) const ONE_CONTACT: f64 = 4e-3;
 const APART: f64 = 8e-3;
 /// Largest depth of a weak zone over that of the deepest zone.

@@ -19,8 +19,7 @@ const GROWTH: f64 = 4.0;
 /// Peak pressure over the shear modulus from which no wheel is supported: flanges have 0.05.
 const CRUSHED: f64 = 0.05;
 
-/// A height that was tried: vertical position, and by how much the straightened force exceeds the
-/// requested one.
+/// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
 
 /// How the support varies over the heights that were tried.

@@ -8,11 +8,9 @@ use super::surface::{CurvePoint, Surface};
 use crate::number::Float;
 use crate::numerics::parabola::NormalEquations;
 
-/// Cells of points that are averaged, where there are more points than room: with the two ends they
-/// have room.
+/// Cells of points that are averaged, where there are too many: with two ends they have room.
 const CELLS: f64 = CAPACITY as f64 - 6.0;
-/// Neighbours are averaged where they are nearer than this share of such a cell, because the slope
-/// between them would be that of their scatter.
+/// Neighbours nearer than this share of a cell are averaged: their slope would be scatter.
 const CROWDED: f64 = 0.2;
 /// They are also averaged where their distance exceeds that of their feet by this factor: the line
 /// between them leans by more than 25 degrees against the spine.
@@ -85,8 +83,7 @@ impl<'a, F: Float> Knots<'a, F> {
         if self.is_weighted { CAPACITY } else { SINGLE }
     }
 
-    /// Gathers the points of a profile along its spine, no point of which is farther from it than a
-    /// radius.
+    /// Gathers the points of a profile, none of which is farther from its spine than a radius.
     pub(super) fn collect_points(
         &mut self,
         is_weighted: bool,
@@ -160,8 +157,7 @@ impl<'a, F: Float> Knots<'a, F> {
         self.store.set_point(half, place);
     }
 
-    /// Adds a point to the average of its cell. The search for it begins at a knot; returns that of
-    /// the cell.
+    /// Adds a point to the average of its cell, searched from a knot on; returns the cell's knot.
     fn add(
         &mut self,
         knot: PointAverage<F>,
@@ -198,8 +194,7 @@ impl<'a, F: Float> Knots<'a, F> {
         k
     }
 
-    /// Averages neighbours that are nearer than a length, or lie beside each other rather than
-    /// behind each other.
+    /// Averages neighbours that are nearer than a length, or lie beside each other.
     fn pool(&mut self, least: F) {
         let (mut kept, mut held) = (0_usize, None::<PointAverage<F>>);
         for k in 0..self.count {

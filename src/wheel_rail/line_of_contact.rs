@@ -138,8 +138,7 @@ impl<F: Float> Wheel<F> {
         let place = turn.to_track([ahead, y, radius * cos]);
         // the normal of the wheel makes the profile's angle with its radius
         let [normal_x, normal_y, normal_z] = turn.to_track([cosine * sin, -sine, cosine * cos]);
-        // p_z − radius, without a difference of large numbers: cos roll cos θ − 1 = −(1 − cos roll)
-        // cos θ − sin² θ/(1 + cos θ)
+        // p_z − radius: cos roll cos θ − 1 = −(1 − cos roll) cos θ − sin² θ/(1 + cos θ)
         let less = P::all(self.less_by_roll) * cos + sin.squared() / cos.plus(1.0);
         let [_, _, below] = turn.to_track([ahead, y, z * cos]);
         let mut line = Line {
@@ -160,8 +159,7 @@ impl<F: Float> Wheel<F> {
         line
     }
 
-    /// The radius of curvature along `x` at points of the profile with these curvatures, positive
-    /// where the wheel is convex.
+    /// The radius of curvature along `x` at points of the profile with these convex curvatures.
     #[inline(always)]
     pub fn rolling_radius<P: Strips<F>>(&self, point: &CurvePoint<P>, curvature: P) -> P {
         let CurvePoint { z, cosine, sine, .. } = *point;

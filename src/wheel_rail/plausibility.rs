@@ -59,8 +59,7 @@ impl<F: Float> Surface<F> {
         let [y, z] = [y / parts, z / parts];
         let middle = (0..count).find(|k| point(*k).is_some_and(|place| place.y >= y));
         let middle = middle.unwrap_or(count);
-        // height over the flat part of the first steep place on a side, negative above; of the
-        // farthest above
+        // height below the flat part, negative above; of the first steep place on each side
         let below = |place: CurvePoint<F>| place.z - z;
         let is_steep = |place: &CurvePoint<F>| {
             place.sine.abs() > F::of(STEEP) && below(*place).abs() > F::of(SHALLOW)

@@ -32,8 +32,7 @@ const TRIED: f64 = 4.0;
 /// profile is as drawn, and from which it is rough: of S1002 and UIC60 drawn with 1 mm between the
 /// points 0.0003 to 0.0005, of a wheel with 0.1 mm of shape 0.0023.
 const DRAWN: [f64; 2] = [6e-4, 2e-3];
-/// Distance of points from the smoothed line, over their distance from each other, above which too
-/// few points tell the shape.
+/// Distance from the smoothed line, over the points' distance, above which points are too few.
 const ROUGH: f64 = 1e-3;
 
 impl<F: Float> Surface<F> {
@@ -140,8 +139,7 @@ impl<F: Float> Surface<F> {
         Ok(self.plausibility())
     }
 
-    /// Puts a point at the end of some chords, counted from the beginning or from the end of the
-    /// profile.
+    /// Puts a point at the end of `k` chords, counted from the beginning or the end.
     fn put(&mut self, chords: usize, is_reversed: bool, k: usize, [y, z]: [F; 2]) {
         let k = k.min(chords);
         let k = if is_reversed { chords - k } else { k };

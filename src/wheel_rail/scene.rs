@@ -13,8 +13,7 @@ use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 use core::slice::from_ref;
 
-/// Creepage from which forces are no longer those of the linear theory, and speed below which a
-/// wheel is nearly at rest \[m/s\].
+/// Creepage beyond the linear theory, and speed of a wheel that is nearly at rest \[m/s\].
 const CREEPAGE: f64 = 1e-3;
 const SLOW: f64 = 0.02;
 
@@ -151,8 +150,7 @@ impl<F: Float> Scene<'_, F> {
         Ok(with_warning(found, memory))
     }
 
-    /// Derivatives with respect to the place of a roller's axis, by central differences; zero where
-    /// the rail is straight.
+    /// Derivatives by the place of a roller's axis, central differences; zero for a straight rail.
     pub(crate) fn by_rail_ahead(
         &self,
         position: &Position<F>,

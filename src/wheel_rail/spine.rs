@@ -29,8 +29,7 @@ pub(super) struct Polyline<F> {
 pub(super) struct NearestPoint<F> {
     /// The segment, by the number of the point at which it begins.
     pub segment: usize,
-    /// Its length from the beginning of the polyline \[m\]. The first and the last segment have no
-    /// outer end.
+    /// Length from the beginning \[m\]. The first and the last segment have no outer end.
     pub length: F,
     /// Square of its distance \[m²\]. Here all segments end.
     squared_distance: F,

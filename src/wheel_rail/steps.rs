@@ -22,8 +22,7 @@ use crate::status::Error;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
-/// Change of a creepage over a step, over the root of the creepage's product with the rounding of a
-/// speed: the slip is a difference of speeds.
+/// Change of a creepage over a step, over the root of its product with the rounding of speeds.
 const SMALL_SLIP: f64 = 1.4;
 
 /// Largest change of a cell over a step, over its width or length: cells of a zone that has just
@@ -132,8 +131,7 @@ impl<F: Float> Steps<'_, F> {
     }
 }
 
-/// Changes of a cell over a step, in each direction, over its width or length:
-/// `h ρ`, `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
+/// Changes of a cell over steps: `h ρ` with `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
 fn changes<F: Float>(
     cell: &Cell<F, TOGETHER>,
     steps: impl Iterator<Item = F>,
@@ -146,8 +144,7 @@ fn changes<F: Float>(
     })
 }
 
-/// Shares of the steps over which all cells change by little, if they are not too short for
-/// differences.
+/// Shares of the steps over which all cells change by little, at least [`SHORTEST`].
 fn shorten<F: Float>(
     shares: &mut [F; TOGETHER],
     cells: &Cells<F, TOGETHER>,

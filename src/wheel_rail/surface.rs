@@ -41,8 +41,7 @@ pub(crate) struct CurvePoint<F> {
 }
 
 impl<F: Float> Surface<F> {
-    /// Derivatives with respect to the length from five points, exact for polynomials of degree
-    /// four; from three at the ends.
+    /// Derivatives by the length from five points, exact to degree four; from three at the ends.
     pub(super) fn directions(&mut self) {
         let count = self.count as usize;
         for (list, slopes) in [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)] {
@@ -142,8 +141,7 @@ impl<F: Float> Surface<F> {
         Piece::new(from, to, self.step).at(steps - F::widened(k as f32))
     }
 
-    /// The place of the curve at a share of the way from a point to the next; none past the last
-    /// point.
+    /// The curve at a share of the way from a point to the next; none past the last point.
     #[inline(always)]
     pub(crate) fn place(&self, k: usize, share: F) -> Option<CurvePoint<F>> {
         let from = self.point(k).filter(|_| k < self.count as usize)?;
@@ -161,8 +159,7 @@ impl<F: Float> Surface<F> {
     }
 }
 
-/// The curve between two points: cubics with the directions of both. The place on it is the share
-/// of the way.
+/// The curve between two points: cubics of the share of the way, with the directions of both.
 pub(crate) struct Piece<T> {
     y: Cubic<T>,
     z: Cubic<T>,

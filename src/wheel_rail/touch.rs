@@ -87,8 +87,7 @@ struct Above<'a, F> {
     rail: Rail<'a, F>,
 }
 
-/// Four places of the wheel's profile: numbers of points, and shares of the way to the next. Past
-/// the last point there is none.
+/// Four places of the wheel's profile: numbers of points, and shares of the way to the next.
 type Places<F> = [(usize, F); FOUR];
 
 impl<F: Float> Above<'_, F> {

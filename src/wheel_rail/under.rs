@@ -23,8 +23,7 @@ pub(super) struct Rail<'a, F> {
     nearest: Option<usize>,
     /// The last point if it was outside the rail, and its distance from the nearest of the rail's.
     outside: Option<([F; 2], F)>,
-    /// A place outside the rail, and the square of the distance from it within which no point is in
-    /// reach.
+    /// A place outside the rail, and the square of a distance within which no point is in reach.
     free: ([F; 2], F),
     /// Whether a point has faced the rail.
     pub faced: bool,

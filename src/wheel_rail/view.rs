@@ -17,8 +17,7 @@ use crate::status::{Error, Warning};
 
 /// Height above the lowest point of points that tell how far apart points are \[m\].
 const LOW: f64 = 1e-4;
-/// Distance of the surfaces from which points do not count, over the smoothing length, and at most
-/// \[m\].
+/// Distance from which points do not count: over the smoothing length, and at most \[m\].
 const FADES: f64 = 0.5;
 const REACH: f64 = 1e-3;
 /// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
@@ -26,8 +25,7 @@ const MARGIN: f64 = 3.0;
 /// Upper bound of the angles of a gap \[rad\].
 const STEEPEST: f64 = 1.6;
 
-/// Distance of the surfaces from which points do not count, for their distance along the rail and
-/// the smoothing length \[m\].
+/// Distance of the surfaces from which points do not count \[m\].
 fn counting<F: Float>(step: F, smoothing: F) -> F {
     let length = step.times(STEPS).squared() + smoothing.squared();
     length.sqrt().times(FADES).min(F::of(REACH))
@@ -39,8 +37,7 @@ pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
     (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::REACH))
 }
 
-/// A checked gap: the used part of its lists; with the position of the wheel, or of the mirror
-/// image of a left one.
+/// A checked gap, with the position of the wheel or of the mirror image of a left one.
 pub(super) struct View<'a, F> {
     pub lists: Lists<'a, F>,
     pub pair: &'a WheelPair<F>,
@@ -143,8 +140,7 @@ impl<'a, F: Float> View<'a, F> {
             .map(Some)
     }
 
-    /// Presses a part of the curve together as far as the surfaces overlap; `cells` receives what
-    /// strips are made of.
+    /// Presses a part of the curve together as far as the surfaces overlap; fills the cells.
     pub fn press<const N: usize>(
         &self,
         profile: &Profile<F>,

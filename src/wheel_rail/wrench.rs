@@ -221,8 +221,7 @@ impl<F: Float> WrenchDerivatives<F> {
         }
     }
 
-    /// Adds `−Bᵀ (∂F/∂slip B + ∂F/∂V ∂V/∂v + d ∂F/∂m n) − d N n n` and `−Bᵀ ∂F/∂friction` of a
-    /// contact whose pressure has the factor `m`.
+    /// Adds what [the module](self) says, and `−Bᵀ ∂F/∂friction`; the pressure has the factor `m`.
     fn add(&mut self, contact: &WheelContact<F>, slopes: &MotionDerivatives<F>, factor: F) {
         let (columns, damping) = (contact.columns(), contact.normal_damping);
         let mut by_velocity = columns;

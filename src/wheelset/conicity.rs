@@ -24,8 +24,7 @@ use crate::wheel_rail::{Position, sine_cosine};
 const PLACES: i32 = 128;
 /// Steps of the search for the middle of the motion.
 const BISECTIONS: usize = 60;
-/// Number of times that a wheel is lowered onto its rail, and that the roll of a wheelset follows
-/// its wheels.
+/// How often a wheel is lowered onto its rail, and how often the roll follows the wheels.
 const LOWERINGS: usize = 24;
 const ROLLS: usize = 6;
 /// Distance at which a wheel touches \[m\].

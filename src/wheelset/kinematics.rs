@@ -66,8 +66,7 @@ impl<F: Float> Kinematics<F> {
         }
     }
 
-    /// The wheel's pair, with the place of a roller's axis from its centre, which yaw moves along
-    /// x.
+    /// The wheel's pair, with the place of a roller's axis from its centre.
     pub fn pair(&self, pair: &WheelPair<F>) -> WheelPair<F> {
         let Self { side: Side { arm, .. }, axes: [_, [ahead, ..], _], .. } = *self;
         WheelPair { rail_ahead: pair.rail_ahead - arm * ahead, ..*pair }
@@ -124,8 +123,7 @@ impl<F: Float> Kinematics<F> {
         }
     }
 
-    /// Derivatives of the wheel's lateral and vertical position, yaw and roll with respect to the
-    /// position of a freedom.
+    /// Derivatives of the wheel's lateral, vertical, yaw and roll with respect to a freedom.
     pub fn position_by(&self, freedom: usize) -> [F; 4] {
         let Side { arm, rail, .. } = self.side;
         let ((sin_roll, cos_roll), (sin_yaw, cos_yaw)) = (self.roll, self.yaw);

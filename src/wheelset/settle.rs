@@ -23,16 +23,14 @@ const FARTHEST: f64 = 1e-4;
 /// Largest change of the rim's speed in a step, over the rolling speed, and at standstill \[m/s\].
 const SLIP: f64 = 0.02;
 const SLOW_SLIP: f64 = 0.02;
-/// Steps below this many roundings of the radius and of the speed are no progress, where the rest
-/// is below this share of the load.
+/// Steps below these roundings of radius and speed end, if the rest is below this share.
 const ROUNDING: f64 = 64.0;
 const NEARLY: f64 = 0.01;
 /// Least share of the load that a wheel is taken to carry at the beginning.
 const LEAST: f64 = 0.02;
 /// Share of the load that a wheel carries which is about to lift.
 const BARELY: f64 = 1e-6;
-/// Largest number of times that both heights are found for the loads of the wheels, and the change
-/// below which they stay \[m\].
+/// How often both heights are found for the wheels' loads, and the change that ends this \[m\].
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
 
@@ -199,8 +197,7 @@ impl<F: Float> Wheelset<'_, F> {
         })
     }
 
-    /// Where each wheel carries a load, by pressure alone or at a velocity, and the radii of the
-    /// wheels there.
+    /// Where each wheel carries a load, by pressure alone or at a velocity, and the radii there.
     fn carried(
         &self,
         start: &Position<F>,
