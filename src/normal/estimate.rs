@@ -95,11 +95,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
         }
-        for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
-            let _ = self
-                .fours
-                .push(FourEdges { places: side_by_side(edges), growth: side_by_side(growth) });
-        }
+        self.keep(&edges, &growth);
         let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
         self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
         let energy = places.iter().zip(&depths).fold(zero, |sum, (place, q)| {
@@ -108,18 +104,16 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         });
         let size = work / energy.shift(F::TINY);
         self.load = load * size;
-        for four in &mut self.fours {
-            let Dual { value, gradient } = &mut four.growth;
-            for (k, value) in value.iter_mut().enumerate() {
-                let of = |slopes: &[F; 4]| slopes.get(k).copied().unwrap_or(F::zero());
-                let sized = Dual { value: *value, gradient: gradient.each_ref().map(of) } * size;
-                *value = sized.value;
-                for (slopes, own) in gradient.iter_mut().zip(sized.gradient) {
-                    if let Some(slope) = slopes.get_mut(k) {
-                        *slope = own;
-                    }
-                }
-            }
+        growth.iter_mut().for_each(|own| *own = *own * size);
+        self.keep(&edges, &growth);
+    }
+
+    /// Keeps edges and growth, four side by side.
+    fn keep(&mut self, edges: &[Dual<F, N>], growth: &[Dual<F, N>]) {
+        self.fours.clear();
+        for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
+            let (places, growth) = (side_by_side(edges), side_by_side(growth));
+            let _ = self.fours.push(FourEdges { places, growth });
         }
     }
 

@@ -1,28 +1,22 @@
 //! Force and moment for a position, and the height of a wheel that carries a load.
 
 use super::contacts::{self, WheelContact};
-use super::steps::Steps;
 use super::surface::Surface;
 use super::touch::{Gap, touch_of_pair};
 use super::view;
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 use crate::contact::totals::StripCount;
-use crate::number::{Float, add};
+use crate::number::Float;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
-use core::slice::from_ref;
-
-/// Creepage beyond the linear theory, and speed of a wheel that is nearly at rest \[m/s\].
-const CREEPAGE: f64 = 1e-3;
-const SLOW: f64 = 0.02;
 
 /// The members of a position.
 const fn members<F>() -> [fn(&mut Position<F>) -> &mut F; 4] {
     [|at| &mut at.lateral, |at| &mut at.vertical, |at| &mut at.yaw, |at| &mut at.roll]
 }
 
-fn is_single<F: Float>() -> bool {
+pub(super) fn is_single<F: Float>() -> bool {
     F::EPSILON > F::of(1e-10)
 }
 
@@ -164,48 +158,6 @@ impl<F: Float> Scene<'_, F> {
             let pair = WheelPair { rail_ahead: self.pair.rail_ahead + step, ..*self.pair };
             Scene { pair: &pair, ..*self }.wrench(position, velocity, memory, None)
         })
-    }
-
-    /// Adds the derivatives of a wrench by the position: exact ones of the distance of the surfaces
-    /// and of the strips; those of frames, creepages and creep forces by differences to one side,
-    /// in single precision to both. The memory of the last contact that there may be is used.
-    #[inline(never)]
-    fn differentiate(
-        &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
-        memory: &mut Workspace<F>,
-        found: &Wrench<F>,
-        slopes: &mut WrenchByPosition<F>,
-    ) -> Result<(), Error> {
-        let Workspace { gap, strips, contacts, count: used, .. } = memory;
-        let spare = (*used as usize).min(KSTRIP_CONTACTS_CAPACITY - 1);
-        let contact = contacts.get_mut(spare).ok_or(Error::PatchSize)?;
-        let slip = found.dissipation / (found.normal_force + F::TINY);
-        let speed = velocity.forward.abs().plus(SLOW);
-        let creepage = (slip / speed).times(3.0).plus(CREEPAGE);
-        let mut columns = slopes.columns();
-        let (sides, here) =
-            if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
-        let Self { rail, pair, strips: count, law, .. } = *self;
-        let steps = Steps { rail, pair, position, strips: count, creepage, sides };
-        let mut add_to = |direction: usize, weight: F, contact: &WheelContact<F>, room: &mut _| {
-            let found =
-                wrench::sum_of_contacts::<_, false>(room, from_ref(contact), velocity, law, None);
-            let moved = found?.members().map(|own| own * weight);
-            if let Some(column) = columns.get_mut(direction) {
-                add(&mut column[..], moved);
-            }
-            Ok(())
-        };
-        let steps = steps.contacts(gap, strips, contact, &mut add_to)?;
-        for (column, step) in columns.into_iter().zip(steps) {
-            let step = step * F::widened(sides as f32);
-            for (slope, here) in column.iter_mut().zip(here) {
-                *slope = (*slope - here) / step;
-            }
-        }
-        Ok(())
     }
 }
 

@@ -1,24 +1,23 @@
-//! The contacts of a wheel after small steps, for derivatives with respect to its position.
+//! Derivatives of a wheel's forces with respect to its position, from contacts after small steps.
 //!
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::contacts::{WheelContact, group_zones};
+use super::contacts::group_zones;
 use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
 use super::moves::PointMoves;
-use super::surface::Surface;
-use super::touch::Gap;
+use super::scene::{Scene, Workspace, is_single};
 use super::view::{self, View};
-use super::{Position, WheelPair};
-use crate::contact::totals::StripCount;
+use super::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
+use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity};
 use crate::normal::cells::{Cell, Cells};
 use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Float, Number, at, length};
-use crate::patch::StoredPatch;
+use crate::number::{Float, Number, add, at, length};
 use crate::status::Error;
+use core::slice::from_ref;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
@@ -36,51 +35,45 @@ const SHALLOWEST: f64 = 1e-9;
 /// Weight of the change of depths in the step of a share's difference.
 const DEEPER: f64 = 0.01;
 
-/// What is done with a contact after a step of a member of the position: its number, and the weight
-/// of the contact's wrench in the difference over the step.
-pub(super) type Take<'a, F> =
-    dyn FnMut(usize, F, &WheelContact<F>, &mut StoredPatch<F>) -> Result<(), Error> + 'a;
+/// Creepage beyond the linear theory, and speed of a wheel that is nearly at rest \[m/s\].
+const CREEPAGE: f64 = 1e-3;
+const SLOW: f64 = 0.02;
 
-/// Steps from a position.
-pub(super) struct Steps<'a, F> {
-    pub rail: &'a Surface<F>,
-    pub pair: &'a WheelPair<F>,
-    pub position: &'a Position<F>,
-    pub strips: StripCount,
-    /// A creepage over which forces change by much.
-    pub creepage: F,
-    /// 1: to one side, 2: to both.
-    pub sides: usize,
-}
-
-impl<F: Float> Steps<'_, F> {
-    /// The contacts of a gap after a step of each member of the position, to first order. Hands
-    /// every contact to `take`, with the number of the member and the weight `± h/h'` of its wrench
-    /// where its own step `h'` is shorter than `h`; `strips` and `contact` are memory, and `take`
-    /// may use that of `strips`. Returns the steps `h`.
-    ///
-    /// # Errors
-    /// Those of [`from_gap`](super::contacts::from_gap).
-    pub fn contacts(
+impl<F: Float> Scene<'_, F> {
+    /// Adds the derivatives of a wrench by the position: exact ones of the distance of the surfaces
+    /// and of the strips; those of frames, creepages and creep forces by differences to one side,
+    /// in single precision to both. The memory of the last contact that there may be is used.
+    #[inline(never)]
+    pub(super) fn differentiate(
         &self,
-        gap: &Gap<F>,
-        strips: &mut StoredPatch<F>,
-        contact: &mut WheelContact<F>,
-        take: &mut Take<'_, F>,
-    ) -> Result<[F; DIRECTIONS], Error> {
-        let Self { rail, pair, position, creepage, sides, strips: count } = *self;
+        position: &Position<F>,
+        velocity: &Velocity<F>,
+        memory: &mut Workspace<F>,
+        found: &Wrench<F>,
+        slopes: &mut WrenchByPosition<F>,
+    ) -> Result<(), Error> {
+        let Self { rail, pair, strips: count, law, .. } = *self;
+        let Workspace { gap, strips, contacts, count: used, .. } = memory;
+        let spare = (*used as usize).min(KSTRIP_CONTACTS_CAPACITY - 1);
+        let contact = contacts.get_mut(spare).ok_or(Error::PatchSize)?;
+        let slip = found.dissipation / (found.normal_force + F::TINY);
+        let speed = velocity.forward.abs().plus(SLOW);
+        let creepage = (slip / speed).times(3.0).plus(CREEPAGE);
+        let mut columns = slopes.columns();
+        let (sides, here) =
+            if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
         let view = View::new(gap, pair, position)?;
         let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
         let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
-        let Some(profile) = view.profile()? else { return Ok([F::one(); DIRECTIONS]) };
-        with_cells(count, |cells| {
+        let Some(profile) = view.profile()? else { return Ok(()) };
+        let steps = with_cells(count, |cells| {
             let mut curve =
                 SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
             let mut groups = Groups::new();
             group_zones(&curve, &mut groups)?;
             let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
             let step = |direction| view.step_in(&moves, direction, deepest, creepage);
-            let steps = core::array::from_fn(step);
+            let steps: [F; DIRECTIONS] = core::array::from_fn(step);
             for first in (0..DIRECTIONS).step_by(TOGETHER) {
                 let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
                 let mut moves = moves;
@@ -120,14 +113,28 @@ impl<F: Float> Steps<'_, F> {
                                 let rate = rates.get(direction - first);
                                 let rate = rate.map_or(F::zero(), |rates| at(rates, number));
                                 contact.share = (group.share + step * rate).max(F::zero());
-                                take(direction, F::one() / weight, contact, strips)?;
+                                // (by ± h/h' where its own step h' is shorter than h)
+                                let (own, weight) = (from_ref(&*contact), F::one() / weight);
+                                let found =
+                                    sum_of_contacts::<_, false>(strips, own, velocity, law, None);
+                                let moved = found?.members().map(|own| own * weight);
+                                if let Some(column) = columns.get_mut(direction) {
+                                    add(&mut column[..], moved);
+                                }
                             }
                         }
                     }
                 }
             }
             Ok(steps)
-        })
+        })?;
+        for (column, step) in columns.into_iter().zip(steps) {
+            let step = step * F::widened(sides as f32);
+            for (slope, here) in column.iter_mut().zip(here) {
+                *slope = (*slope - here) / step;
+            }
+        }
+        Ok(())
     }
 }
 
