@@ -1,7 +1,6 @@
 //! The cells of the normal problem: first their places, then what the solution makes of them.
 
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Dual, Float};
 use core::f64::consts::FRAC_PI_2;
 use heapless::VecView;
 

@@ -3,8 +3,7 @@
 use crate::normal::density::Zones;
 use crate::normal::extremes::{cuts, refined, zero_of};
 use crate::normal::smooth::{Knot, SmoothedProfile};
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, pairs, sort};
+use crate::number::{Arithmetic, Dual, Float, pairs, sort};
 use crate::numerics::hermite::Cubic;
 
 /// A part of a curve of surfaces where they overlap.

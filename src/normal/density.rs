@@ -12,8 +12,7 @@
 //! touch, takes few cells from the others, and zones part and merge where there are hardly any. So
 //! no cell moves as fast as the end of a zone does that appears or merges.
 
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, pairs};
+use crate::number::{Arithmetic, Dual, Float, pairs};
 use heapless::Vec;
 
 /// Largest number of zones of contact; further zones are joined with the last.

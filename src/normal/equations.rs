@@ -4,9 +4,7 @@
 //! Rows are padded with zeros to fours, which fill a register.
 
 use crate::normal::cell::CELLS;
-use crate::number::Float;
-use crate::number::avx::with_avx;
-use crate::number::dual::Dual;
+use crate::number::{Dual, Float, with_avx};
 use core::ops::Range;
 use heapless::Vec;
 

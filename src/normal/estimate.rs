@@ -15,9 +15,7 @@ use crate::normal::cell::{Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{layout, lean};
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::avx::with_avx;
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Strips};
+use crate::number::{Arithmetic, Dual, Float, Number, Strips, with_avx};
 use heapless::Vec;
 
 /// Share of the approach by which shifted undeformed bodies overlap about where they touch.

@@ -1,7 +1,6 @@
 //! Extremes and roots of the cubics that a smoothed profile consists of, with their derivatives.
 
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Dual, Float};
 use crate::numerics::bracket::{Bracket, root};
 use crate::numerics::hermite::Cubic;
 

@@ -6,8 +6,7 @@
 
 use crate::normal::cell::{CELLS, Cell, Cells};
 use crate::normal::density::{ZONES, Zones};
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, add};
+use crate::number::{Arithmetic, Dual, Float, add};
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
 const LEANING: f64 = 0.3;

@@ -4,9 +4,7 @@ use crate::normal::directions::{Moves, TOGETHER};
 use crate::normal::parabola::{STEPS, near_points, with_ridge};
 use crate::normal::profile::Profile;
 use crate::normal::smooth::{SmoothedProfile, low_level};
-use crate::number::avx::with_avx;
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, at};
+use crate::number::{Arithmetic, Dual, Float, at, with_avx};
 use core::cell::Cell;
 
 /// A number with its derivatives.

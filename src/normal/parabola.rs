@@ -4,8 +4,7 @@
 //! times the length that it stands for.
 
 use crate::normal::profile::Profile;
-use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Float, Strips};
+use crate::number::{Arithmetic, Float, Strips, with_avx};
 use crate::numerics::parabola::NormalEquations;
 use crate::numerics::smooth_step;
 use core::ops::Range;

@@ -2,8 +2,7 @@
 //! shifted into each other.
 
 use crate::normal::directions::{Moves, TOGETHER};
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, are_finite, ascend, at, pairs};
+use crate::number::{Arithmetic, Dual, Float, are_finite, ascend, at, pairs};
 use crate::status::Error;
 
 /// Share of the approach by which shifted undeformed bodies overlap about over the patch's width.

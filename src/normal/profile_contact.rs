@@ -3,8 +3,7 @@
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::normal::cells::Given;
 use crate::normal::smooth::length_for;
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Dual, Float};
 use crate::status::Error;
 
 /// What presses two profiles together.

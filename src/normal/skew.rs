@@ -15,8 +15,7 @@
 //! Widths and centres of the strips stay. Without skew every factor is exactly one.
 
 use crate::normal::cells::{Cells, Given};
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float};
+use crate::number::{Arithmetic, Dual, Float};
 
 /// Distance of cells that hardly count in `m`, over the half length.
 const NEAR: f64 = 0.3;

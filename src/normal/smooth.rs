@@ -8,8 +8,7 @@
 use crate::normal::extremes::cuts;
 use crate::normal::parabola::{Parabola, STEPS, near_points, parabola};
 use crate::normal::profile::Profile;
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, pairs};
+use crate::number::{Arithmetic, Dual, Float, pairs};
 use crate::numerics::hermite::Cubic;
 use heapless::Vec;
 

@@ -63,6 +63,8 @@ mod rows;
 pub(crate) mod tables;
 mod traits;
 
+pub(crate) use self::avx::with_avx;
+pub use self::dual::Dual;
 pub(crate) use self::traits::Stored;
 pub use self::traits::{Arithmetic, Float, InRegisters, Number, Pair, Real, Strips};
 

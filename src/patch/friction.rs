@@ -27,8 +27,7 @@ use crate::friction::derivatives::{AtFriction, BesidesSlopes, Differentiated, La
 use crate::friction::layered::LayerSlopes;
 use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
-use crate::number::Float;
-use crate::number::dual::Dual;
+use crate::number::{Dual, Float};
 pub(crate) use crate::patch::slip::{By, creepage_at};
 use crate::patch::slip::{PatchLayer, PatchSlip, Share};
 use crate::patch::solver::{self, Problem};

@@ -28,8 +28,7 @@ use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::BesidesSlopes;
 use crate::friction::layered::{LayerSlopes, WithSlopes};
 use crate::linear::LinearCoefficients;
-use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, add, are_finite};
+use crate::number::{Arithmetic, Dual, Float, Number, add, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
     By, PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,

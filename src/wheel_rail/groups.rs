@@ -22,8 +22,7 @@
 
 use crate::normal::crossings::Overlap;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::dual::Dual;
-use crate::number::{Float, pairs};
+use crate::number::{Dual, Float, pairs};
 use crate::numerics::smooth_step;
 use crate::status::Error;
 use core::mem;

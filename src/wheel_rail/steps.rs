@@ -107,20 +107,21 @@ impl<F: Float> Scene<'_, F> {
                                 if vanishes { own.value } else { moved }
                             };
                             view.strips(cells, of, &mut pressed, strips)?;
-                            if strips.count > 0 {
-                                let moved = view.moved(moves, direction, step);
-                                contact.fill(&moved, strips, &pressed);
-                                let rate = rates.get(direction - first);
-                                let rate = rate.map_or(F::zero(), |rates| at(rates, number));
-                                contact.share = (group.share + step * rate).max(F::zero());
-                                // (by ± h/h' where its own step h' is shorter than h)
-                                let (own, weight) = (from_ref(&*contact), F::one() / weight);
-                                let found =
-                                    sum_of_contacts::<_, false>(strips, own, velocity, law, None);
-                                let moved = found?.members().map(|own| own * weight);
-                                if let Some(column) = columns.get_mut(direction) {
-                                    add(&mut column[..], moved);
-                                }
+                            if strips.count == 0 {
+                                continue;
+                            }
+                            let moved = view.moved(moves, direction, step);
+                            contact.fill(&moved, strips, &pressed);
+                            let rate = rates.get(direction - first);
+                            let rate = rate.map_or(F::zero(), |rates| at(rates, number));
+                            contact.share = (group.share + step * rate).max(F::zero());
+                            // (by ± h/h' where its own step h' is shorter than h)
+                            let (own, weight) = (from_ref(&*contact), F::one() / weight);
+                            let found =
+                                sum_of_contacts::<_, false>(strips, own, velocity, law, None);
+                            let moved = found?.members().map(|own| own * weight);
+                            if let Some(column) = columns.get_mut(direction) {
+                                add(&mut column[..], moved);
                             }
                         }
                     }

@@ -9,8 +9,7 @@ use super::line_of_contact::Wheel;
 use super::surface::{CurvePoint, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
-use crate::number::avx::with_avx;
-use crate::number::{Float, Strips, are_finite};
+use crate::number::{Float, Strips, are_finite, with_avx};
 use crate::status::Error;
 
 /// Default of the distance above which points are left out \[m\].

@@ -10,8 +10,7 @@ use crate::normal::cells::{Cells, Given};
 use crate::normal::parabola::STEPS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
-use crate::number::dual::Dual;
-use crate::number::{Float, are_finite, ascend, at};
+use crate::number::{Dual, Float, are_finite, ascend, at};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
