@@ -96,9 +96,6 @@ impl<F: Float> Indentation<F> {
     }
 
     /// Solves the contact; `cells` receives what strips are made of, nothing without contact.
-    ///
-    /// # Errors
-    /// Those of [`Patch::from_profile`].
     pub(crate) fn new(
         profile: &Profile<F>,
         contact: &ProfileContact<F>,
@@ -130,9 +127,6 @@ impl<F: Float> Indentation<F> {
     /// The same of a part of the curve of two surfaces, for a given approach, whose derivatives
     /// are those that are requested; `cells` receives what strips are made of, nothing without
     /// contact.
-    ///
-    /// # Errors
-    /// Those of [`Patch::from_profile`].
     pub(crate) fn of_surfaces<const N: usize>(
         profile: &Profile<F>,
         curve: &SmoothedProfile<F, N>,
@@ -198,9 +192,6 @@ impl<F: Float> Indentation<F> {
 
     /// Hands the strips that touch to `take`, made of the numbers that `of` makes of those of
     /// cells.
-    ///
-    /// # Errors
-    /// [`Error::PatchSize`] when one is not taken.
     pub(crate) fn strips<const N: usize>(
         &mut self,
         contact: &ProfileContact<F>,
@@ -309,9 +300,6 @@ impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
     }
 
     /// The strips of cells; completes the result.
-    ///
-    /// # Errors
-    /// Those of [`Patch::from_profile`].
     pub(crate) fn of_cells(
         contact: &ProfileContact<F>,
         cells: &Cells<F, 1>,

@@ -94,10 +94,9 @@ impl<F: Float> Outline<F, 1> {
                     .ok_or(Error::Overflow)?
             }
         };
-        let section = profile.section(first, radius);
-        let length = contact.smoothing(section.half_width);
+        let [half_width, radius_there] = profile.section(first, radius);
+        let length = contact.smoothing(half_width);
         let mut curve = SmoothedProfile::new(profile, length, first.times(REACH));
-        let radius_there = section.rolling_radius;
         // load and deflection before the normal problem
         let approach = match given {
             Given::Approach(approach) => approach,

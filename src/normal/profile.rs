@@ -34,15 +34,6 @@ pub struct Profile<'a, F> {
     pub(super) motion: Option<&'a dyn Moves<F>>,
 }
 
-/// Where the bodies would overlap.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Section<F, const N: usize> {
-    /// Half the width of the parabola of the same volume \[m\].
-    pub half_width: Dual<F, N>,
-    /// Rolling radius, its mean over the volume \[m\].
-    pub rolling_radius: Dual<F, N>,
-}
-
 impl<'a, F: Float> Profile<'a, F> {
     /// A profile from points `y` \[m\], strictly ascending, and the distance of the bodies there
     /// \[m\]. A constant added to all distances changes nothing.
@@ -179,7 +170,12 @@ impl<'a, F: Float> Profile<'a, F> {
     }
 
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` for a profile without radii.
-    pub(super) fn section<const N: usize>(&self, approach: Dual<F, N>, radius: F) -> Section<F, N> {
+    /// Returns half the width of the parabola of this volume, and the mean rolling radius \[m\].
+    pub(super) fn section<const N: usize>(
+        &self,
+        approach: Dual<F, N>,
+        radius: F,
+    ) -> [Dual<F, N>; 2] {
         let level = approach.times(SECTION);
         let mut volume = Dual::from_base(F::TINY);
         let mut moment = Dual::from_base(radius * F::TINY);
@@ -202,15 +198,14 @@ impl<'a, F: Float> Profile<'a, F> {
             volume += part;
             moment += part.scale(radii[0] + radii[1]);
         }
-        Section { half_width: (volume / level).times(HALF_WIDTH), rolling_radius: moment / volume }
+        [(volume / level).times(HALF_WIDTH), moment / volume]
     }
 
     /// About the load over `E*`: of the ellipse with `a² = 1.1 R δ` and the width of the section,
     /// `N = (4/3) E* δ M(a, b)` with Gauss's mean `M`.
     pub(super) fn load<const N: usize>(&self, approach: Dual<F, N>, radius: F) -> Dual<F, N> {
-        let Section { half_width, rolling_radius } = self.section(approach, radius);
+        let [mut b, rolling_radius] = self.section(approach, radius);
         let mut a = (rolling_radius * approach).times(2.0 * SECTION).sqrt();
-        let mut b = half_width;
         for _ in 0..12 {
             (a, b) = ((a + b).times(0.5), (a * b).sqrt());
             if (a.value - b.value).abs() <= F::EPSILON * a.value {

@@ -315,9 +315,6 @@ pub(crate) struct Visited<F: Float> {
 }
 
 /// Passes the forces of every strip to `visit`, with derivatives if there are `SLOPES`.
-///
-/// # Errors
-/// Those of [`solve_patch_with_law`].
 pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
     patch: &PatchView<F>,
     creepage: &Creepage<F>,

@@ -55,6 +55,11 @@ impl<F: Float> StoredPatch<F> {
         }
     }
 
+    /// The strips that are used.
+    pub(crate) fn used(&self) -> &[PatchStrip<F>] {
+        self.strips.get(..self.count as usize).unwrap_or(&[])
+    }
+
     /// Removes all strips.
     pub(crate) fn clear(&mut self, shear_modulus: F, poisson_ratio: F) {
         (self.shear_modulus, self.poisson_ratio) = (shear_modulus, poisson_ratio);

@@ -151,15 +151,12 @@ impl<F: Float> WheelContact<F> {
     pub fn checked_motion(&self, velocity: &Velocity<F>) -> Result<Motion<F>, Error> {
         let motion = self.motion(&velocity.members());
         let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = motion;
-        let finite = are_finite(&[slip_x, slip_y, spin_rate, rolling_speed, floor_speed]);
-        if finite { Ok(motion) } else { Err(Error::NotFinite) }
+        let members = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
+        Error::NotFinite.unless(are_finite(&members)).map(|()| motion)
     }
 
     /// The factor by which damping changes the pressure: `max(0, 1 + d v_n)`, with the velocity
     /// `v_n` of the wheel into the rail.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`], [`Error::NormalDamping`].
     pub(super) fn damping_factor(&self, velocity: &[F; 6]) -> Result<F, Error> {
         let damping = self.normal_damping;
         Error::NotFinite.unless(damping.is_finite_number())?;
@@ -178,14 +175,12 @@ impl<F: Float> WheelContact<F> {
 
     /// The largest peak pressure of the strips \[Pa\].
     pub(super) fn peak_pressure(&self) -> F {
-        let strips = self.patch.strips.iter().take(self.patch.count as usize);
-        strips.fold(F::zero(), |most, strip| most.max(strip.peak_pressure))
+        self.patch.used().iter().fold(F::zero(), |most, strip| most.max(strip.peak_pressure))
     }
 
     /// Length along the rail from the first strip to the last \[m\].
     pub(super) fn width(&self) -> F {
-        let strips = self.patch.strips.get(..self.patch.count as usize).unwrap_or(&[]);
-        match (strips.first(), strips.last()) {
+        match (self.patch.used().first(), self.patch.used().last()) {
             (Some(first), Some(last)) => last.y - first.y + (first.width + last.width).times(0.5),
             _ => F::LARGEST,
         }

@@ -54,9 +54,6 @@ pub(super) fn has_own_slip<F: Float>(contact: &WheelContact<F>, law: Law<F>) -> 
 }
 
 /// The creep forces, without `SLOPES` all derivatives of which are zero.
-///
-/// # Errors
-/// Those of [`each_strip`].
 #[inline(never)]
 pub(super) fn creep<F: Float, const SLOPES: bool>(
     contact: &WheelContact<F>,

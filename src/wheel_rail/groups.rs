@@ -72,17 +72,13 @@ struct GroupedZone<F> {
 }
 
 impl<F: Float> Overlaps<F> {
-    pub fn new() -> Self {
-        Self { list: Vec::new() }
-    }
-
     /// The zones of a curve, made of the numbers that `number` makes.
     #[inline(never)]
     pub fn of_curve<const N: usize>(
         curve: &SmoothedProfile<F, N>,
         number: impl Fn(Dual<F, N>) -> F,
     ) -> Self {
-        let mut zones = Self::new();
+        let mut zones = Self { list: Vec::new() };
         curve.overlaps(number, |zone| zones.push(zone));
         zones
     }

@@ -1,8 +1,7 @@
 //! The points of a profile, averaged where they are crowded or scatter, in ascending order of their
 //! length.
 
-use super::curve::Points;
-use super::curve::distance;
+use super::curve::{Points, distance};
 use super::spine::{CAPACITY, Polyline};
 use super::surface::{CurvePoint, Surface};
 use crate::number::Float;

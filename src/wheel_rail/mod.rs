@@ -77,10 +77,13 @@ impl<F: Float> Position<F> {
         if left { Self { lateral: -lateral, yaw: -yaw, roll: -roll, ..self } } else { self }
     }
 
+    /// The members.
+    pub(crate) fn members_mut(&mut self) -> [&mut F; 4] {
+        let Self { lateral, vertical, yaw, roll } = self;
+        [lateral, vertical, yaw, roll]
+    }
+
     /// Checks the members.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`]; [`Error::ProfileEnd`] where yaw or roll are 1 or more in size.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
         Error::NotFinite.unless(are_finite(&[lateral, vertical, yaw, roll]))?;
@@ -164,11 +167,6 @@ pub struct WheelPair<F> {
 
 impl<F: Float> WheelPair<F> {
     /// Checks the members but for the materials, which are checked with the patch.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`], [`Error::RollingRadius`], [`Error::Friction`],
-    /// [`Error::SmoothingLength`], [`Error::NormalDamping`], [`Error::FloorSpeed`];
-    /// [`Error::Profile`] for places that do not ascend, [`Error::Capacity`] for too many of them.
     pub(crate) fn check(&self) -> Result<(), Error> {
         let places = self.friction_points as usize;
         let (Some(y), Some(at)) = (self.friction_y.get(..places), self.friction_at.get(..places))

@@ -66,14 +66,9 @@ impl<'a, F: Float> PointMoves<'a, F> {
     }
 
     /// How the wheel, or the mirror image of a left one, moves in a direction.
-    pub fn direction(&self, number: usize) -> Position<F> {
+    pub fn direction(&self, number: usize) -> [F; 4] {
         let of = |k: usize, size: F| if k == number { size } else { F::zero() };
-        Position {
-            lateral: of(0, self.side),
-            vertical: of(1, F::one()),
-            yaw: of(2, self.side),
-            roll: of(3, self.side),
-        }
+        [of(0, self.side), of(1, F::one()), of(2, self.side), of(3, self.side)]
     }
 
     fn members(&self, k: usize) -> [F; 7] {
@@ -135,8 +130,8 @@ impl<'a, F: Float> PointMoves<'a, F> {
             2 => self.by_yaw(members, under),
             _ => [zero, -(z * side), y * side, side, zero],
         };
-        let ([_, dy, dz, ..], by) = (of_wheel, self.direction(direction));
-        (of_wheel, under.moves([dy + by.lateral, dz + by.vertical]))
+        let ([_, dy, dz, ..], [lateral, vertical, ..]) = (of_wheel, self.direction(direction));
+        (of_wheel, under.moves([dy + lateral, dz + vertical]))
     }
 
     /// Derivatives of the members of a point in a direction.

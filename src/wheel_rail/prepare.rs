@@ -8,8 +8,7 @@
 //! 4. The prepared points are points of the curve at equal chords.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::curve::distance;
-use super::curve::{Chords, Interpolant};
+use super::curve::{Chords, Interpolant, distance};
 use super::knots::{Knots, SINGLE};
 use super::plausibility::ROUGH_AND_COARSE;
 use super::spine::Polyline;

@@ -11,11 +11,6 @@ use crate::number::Float;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
-/// The members of a position.
-const fn members<F>() -> [fn(&mut Position<F>) -> &mut F; 4] {
-    [|at| &mut at.lateral, |at| &mut at.vertical, |at| &mut at.yaw, |at| &mut at.roll]
-}
-
 pub(super) fn is_single<F: Float>() -> bool {
     F::EPSILON > F::of(1e-10)
 }
@@ -124,11 +119,10 @@ impl<F: Float> Scene<'_, F> {
         let is_straight = self.pair.rail_radius <= F::zero();
         if !is_straight {
             let step = F::of(if is_single::<F>() { 15e-6 } else { 1e-7 });
-            let members = members::<F>();
-            for (column, member) in slopes.columns().into_iter().zip(members) {
+            for (k, column) in slopes.columns().into_iter().enumerate() {
                 *column = differences(step, |step| {
                     let mut moved = *position;
-                    *member(&mut moved) += step;
+                    moved.members_mut().into_iter().skip(k).take(1).for_each(|own| *own += step);
                     self.wrench(&moved, velocity, memory, None)
                 })?;
             }

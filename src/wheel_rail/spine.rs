@@ -81,9 +81,6 @@ impl<F: Float> Polyline<F> {
     /// is nearer to the line. Points that are scanned twice, lie behind their predecessor or
     /// scatter by less than the radius are skipped. The radius is the least one with which
     /// the line has room and is smooth. Returns it.
-    ///
-    /// # Errors
-    /// [`Error::Scatter`] where no radius leads to a smooth line.
     pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
         let mut radius = extent.times(FINEST);
         for _ in 0..ATTEMPTS {

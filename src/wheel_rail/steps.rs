@@ -219,14 +219,10 @@ fn rates_of_shares<F: Float>(
 impl<'a, F: Float> View<'a, F> {
     /// The same after a step in a direction.
     fn moved(&self, moves: PointMoves<'a, F>, direction: usize, step: F) -> Self {
-        let by = moves.direction(direction);
-        let Position { lateral, vertical, yaw, roll } = self.position;
-        let position = Position {
-            lateral: lateral + step * by.lateral,
-            vertical: vertical + step * by.vertical,
-            yaw: yaw + step * by.yaw,
-            roll: roll + step * by.roll,
-        };
+        let mut position = self.position;
+        for (own, by) in position.members_mut().into_iter().zip(moves.direction(direction)) {
+            *own += step * by;
+        }
         Self { position, moved: Some((moves, direction, step)), ..*self }
     }
 
@@ -246,7 +242,7 @@ impl<'a, F: Float> View<'a, F> {
         let [along, lifted, x, _, z, ..] = moves.in_direction(lowest, direction);
         let depth = (-least).max(deepest).max(F::of(SHALLOWEST));
         let radius = self.pair.wheel_radius;
-        let Position { yaw, roll, vertical, .. } = moves.direction(direction);
+        let [_, vertical, yaw, roll] = moves.direction(direction);
         let turns = yaw.abs() + roll.abs() + (z.abs() + vertical.abs()) / radius;
         let creeps = turns / creepage.sqrt();
         let deforms = lifted.abs() / depth + length(along, x) / (depth * radius).sqrt();

@@ -61,8 +61,6 @@ impl<F: Float> Surface<F> {
         }
     }
 
-    /// # Errors
-    /// [`Error::NotPrepared`].
     pub(crate) fn check(&self) -> Result<(), Error> {
         let count = self.count as usize;
         let sound = (4..=KSTRIP_SURFACE_CAPACITY).contains(&count)

@@ -292,9 +292,6 @@ fn search<F: Float>(
 /// The vertical position at which a right wheel that is lowered meets the rail with a point of its
 /// line of contact, and the cosine of the rail's angle there. None where no point of the wheel is
 /// over the rail.
-///
-/// # Errors
-/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`].
 pub(super) fn lowered<F: Float>(
     rail: &Surface<F>,
     wheel: &Surface<F>,

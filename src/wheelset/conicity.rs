@@ -22,6 +22,7 @@ use crate::wheel_rail::{Position, sine_cosine};
 
 /// Number of places in half a wave.
 const PLACES: i32 = 128;
+const EACH: f64 = core::f64::consts::PI / PLACES as f64;
 /// Steps of the search for the middle of the motion.
 const BISECTIONS: usize = 60;
 /// How often a wheel is lowered onto its rail, and how often the roll follows the wheels.
@@ -161,8 +162,7 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
         let [left, right] = ends;
         let mut sum = F::zero();
         for k in 0..PLACES {
-            let angle =
-                (F::widened(k as f32).plus(0.5)).times(core::f64::consts::PI / f64::from(PLACES));
+            let angle = F::widened(k as f32).plus(0.5).times(EACH);
             // (sines of at most 1.6)
             let (sine, cosine) = sine_cosine(angle.plus(-core::f64::consts::FRAC_PI_2));
             let (sine, cosine) = (cosine, -sine);
@@ -175,9 +175,8 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
             Error::Conicity.unless(work > F::zero())?;
             sum += amplitude * sine / work.sqrt();
         }
-        let each = core::f64::consts::PI / f64::from(PLACES);
         // S = ∫ a sin θ/√W dθ,   λ = √(2 e r₀) S,   tan γ = (π/λ)² 2 e r₀ = (π/S)²
-        let sum = sum.times(each);
+        let sum = sum.times(EACH);
         let length = distance.times(2.0).sqrt() * radius.sqrt() * sum;
         let root = F::constant(core::f64::consts::PI) / sum;
         let conicity = root * root;

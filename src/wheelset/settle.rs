@@ -10,7 +10,7 @@ use super::forces::{
     Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
 };
 use super::kinematics::Kinematics;
-use crate::number::{Float, are_finite};
+use crate::number::{Float, are_finite, at};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::scene::Scene;
 use crate::wheel_rail::{Position, Velocity, cross, dot};
@@ -115,19 +115,13 @@ impl<F: Float> Wheelset<'_, F> {
             // by the heights of both wheels, and by the pitch rate
             let scale = [vertical, vertical * width, vertical * radius];
             let column = |matrix: &[[F; 10]; 10], k: usize| {
-                let mut entries = matrix.iter().skip(2).map(|row| row.get(k).copied());
-                core::array::from_fn(|i| {
-                    let entry = entries.next().flatten().unwrap_or(F::zero());
-                    entry / scale.get(i).copied().unwrap_or(F::one())
-                })
+                let entry = |i: usize| matrix.get(i + 2).map_or(F::zero(), |row| at(row, k));
+                core::array::from_fn(|i| entry(i) / at(&scale, i))
             };
-            let (sinks, rolls) = (column(&moved.position, 2), column(&moved.position, 3));
+            let (sinks, rolls): ([F; 3], _) =
+                (column(&moved.position, 2), column(&moved.position, 3));
             let by_height = |arm: F| {
-                let mut by: [F; 3] = sinks;
-                for (by, roll) in by.iter_mut().zip(&rolls) {
-                    *by = by.times(0.5) + *roll / arm.times(2.0);
-                }
-                by
+                core::array::from_fn(|i| at(&sinks, i).times(0.5) + at(&rolls, i) / arm.times(2.0))
             };
             let (right, left) = (by_height(width), by_height(-width));
             let step = by_cramers_rule(right, left, column(&slopes.velocity, 4), rest);

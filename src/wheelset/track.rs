@@ -29,8 +29,6 @@ pub struct RailMotion<F> {
 }
 
 impl<F: Float> RailMotion<F> {
-    /// # Errors
-    /// [`Error::NotFinite`].
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, lateral_velocity, vertical_velocity } = *self;
         let numbers = [lateral, vertical, lateral_velocity, vertical_velocity];
