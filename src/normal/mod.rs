@@ -19,7 +19,6 @@ mod cell;
 pub mod cells;
 pub(crate) mod crossings;
 mod density;
-pub(crate) mod directions;
 mod equations;
 mod estimate;
 mod extremes;

@@ -1,8 +1,8 @@
 //! The smoothed distance of two surfaces that move: its derivatives in some directions.
 
-use crate::normal::directions::{Moves, TOGETHER};
 use crate::normal::parabola::{STEPS, near_points, with_ridge};
 use crate::normal::profile::Profile;
+use crate::normal::profile::{Moves, TOGETHER};
 use crate::normal::smooth::{SmoothedProfile, low_level};
 use crate::number::{Arithmetic, Dual, Float, at, with_avx};
 use core::cell::Cell;

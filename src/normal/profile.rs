@@ -1,9 +1,9 @@
 //! The given distance of two bodies, and the section in which they would overlap if they were
 //! shifted into each other.
 
-use crate::normal::directions::{Moves, TOGETHER};
 use crate::number::{Arithmetic, Dual, Float, are_finite, ascend, at, pairs};
 use crate::status::Error;
+use core::fmt::{self, Debug, Formatter};
 
 /// Share of the approach by which shifted undeformed bodies overlap about over the patch's width.
 const SECTION: f64 = 0.55;
@@ -11,6 +11,26 @@ const SECTION: f64 = 0.55;
 const HALF_WIDTH: f64 = 0.75;
 /// Halvings and Newton steps of a search at most; five are usual.
 const STEPS: u32 = 60;
+
+/// Number of directions.
+pub(crate) const DIRECTIONS: usize = 4;
+/// Number of directions of the derivatives that numbers carry at once: on a microcontroller and in
+/// a browser one, which takes the least memory and code.
+pub(crate) const TOGETHER: usize =
+    if cfg!(any(target_os = "none", target_family = "wasm")) { 1 } else { DIRECTIONS };
+
+/// How points move.
+pub(crate) trait Moves<F> {
+    /// Derivatives of place, distance, centre along `x` and rolling radius of a point.
+    fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
+}
+
+// (derived, it would be part of every table of methods, with what can panic in it)
+impl<F> Debug for dyn Moves<F> + '_ {
+    fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
+        to.write_str("Moves")
+    }
+}
 
 /// The undeformed distance of two bodies along `y`, linear between its points.
 #[derive(Clone, Copy, Debug)]

@@ -69,7 +69,8 @@ impl<'a, F: Float> PatchField<'a, F> {
         law: Option<&SlipFriction<F>>,
         model: Model,
     ) -> Result<Self, Error> {
-        Problem::with_strips(patch, creepage, model)?;
+        Error::NotInModel.unless(model != Model::Total)?;
+        Problem::new(patch, creepage, model)?;
         // Dissipation is traction times slip, which is of the size of the rigid slip.
         let tractions = patch.strips().iter().map(|strip| strip.friction * strip.peak_pressure);
         let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);

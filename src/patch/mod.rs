@@ -14,7 +14,6 @@
 //! The model STRIP needs an axis ratio. It uses that of an equivalent ellipse of the strips around
 //! ([`zones`]).
 
-mod extremes;
 pub mod field;
 pub mod friction;
 mod shares;

@@ -44,14 +44,6 @@ use nalgebra::Matrix3;
 /// Forces of a zone's ellipse, the creepage that pressure adds, and the creepages of bristles.
 type ZoneTotals<T> = (Totals<T>, T, Option<ZoneSplit<T>>);
 
-/// Upper bound of the creepage that pressure adds in any zone.
-fn most_strain<F: Float>(view: &PatchView<F>) -> F {
-    if view.mismatch() == F::zero() {
-        return F::zero();
-    }
-    view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
-}
-
 /// A patch, a creepage and a model that fit together.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Problem<'a, F> {
@@ -81,17 +73,12 @@ impl<'a, F: Float> Problem<'a, F> {
     pub fn largest_rigid_slip(&self) -> F {
         let Self { view, creepage, .. } = *self;
         let [own, _] = view.most_own();
-        largest_rigid_slip(creepage, view.sizes().reach) + own + most_strain(view)
-    }
-
-    /// The same checks for a model with strips.
-    pub fn with_strips(
-        view: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
-        model: Model,
-    ) -> Result<Self, Error> {
-        Error::NotInModel.unless(model != Model::Total)?;
-        Self::new(view, creepage, model)
+        let slip = largest_rigid_slip(creepage, view.sizes().reach) + own;
+        if view.mismatch() == F::zero() {
+            return slip;
+        }
+        // and the creepage that pressure adds
+        slip + view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
     }
 
     pub fn warning(&self) -> Warning {
@@ -140,7 +127,11 @@ impl<'a, F: Float> Problem<'a, F> {
                 let own = slip.behind.and_then(|behind| Some((behind, self.view.zone(i)?)));
                 let share = match own {
                     None => self.theory_share(strip, &creepage),
-                    Some((behind, zone)) => self.share_behind(strip, &zone, &creepage, &behind),
+                    Some((behind, zone)) => {
+                        let (split, seen) = ZoneSplit::of_zone(&zone, &creepage, &behind);
+                        let creepage = split.half_spaces_at_origin(&seen);
+                        split.mean(strip, self.theory_share(strip, &creepage))
+                    }
                 };
                 visit(strip, share.on(strip, T::zero(), of_strip.as_ref()));
             }
@@ -182,18 +173,6 @@ impl<'a, F: Float> Problem<'a, F> {
             Regime::Sliding { .. } => F::zero(),
         };
         Share::new(strip, &carried, stick, solved.adheres())
-    }
-
-    /// A strip in the theory of 1967 behind a layer.
-    fn share_behind<T: Number<Base = F>>(
-        &self,
-        strip: &PatchStrip<F>,
-        zone: &Zone<F>,
-        creepage: &Creepage<T>,
-        behind: &PatchLayer<T>,
-    ) -> Share<T> {
-        let (split, seen) = ZoneSplit::of_zone(zone, creepage, behind);
-        split.mean(strip, self.theory_share(strip, &split.half_spaces_at_origin(&seen)))
     }
 
     /// Every strip's share of the forces of the ellipse of its zone.
@@ -426,5 +405,6 @@ pub fn patch_strips<F: Float>(
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    Ok(Problem::with_strips(patch, creepage, model)?.strips(visit))
+    Error::NotInModel.unless(model != Model::Total)?;
+    Ok(Problem::new(patch, creepage, model)?.strips(visit))
 }

@@ -3,9 +3,8 @@
 use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, pairs};
-use crate::patch::extremes::Extremes;
 use crate::patch::slip::largest_rigid_slip;
-use crate::patch::zones::{Sizes, Zone};
+use crate::patch::zones::{Extremes, Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
 

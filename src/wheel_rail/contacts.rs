@@ -21,9 +21,8 @@
 //! The force of the pressure is `Σ N n`. Where the normal turns by more than 5 degrees, strips have
 //! their own slip besides (`curved`).
 
-use super::axes::{Axes, with_moment};
 use super::groups::{Groups, Overlaps};
-use super::line_of_contact::Turn;
+use super::line_of_contact::{Axes, Turn, with_moment};
 use super::touch::Gap;
 use super::view::View;
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine};

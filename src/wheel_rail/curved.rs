@@ -17,10 +17,10 @@
 //! λ ∂Q/∂λ = Q − (∂Q/∂c) c − κ ∂Q/∂κ,   λ ∂P/∂λ = 2 P − (∂P/∂c) c − κ ∂P/∂κ
 //! ```
 
-use super::axes::Axes;
 use super::contacts::WheelContact;
 use super::dot;
 use super::ends::{Law, Pressed, at_speed};
+use super::line_of_contact::Axes;
 use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;

@@ -20,7 +20,6 @@
 //! slip = B v,   W = −Bᵀ F − N n,   W·v = −F·slip − N n·v
 //! ```
 
-mod axes;
 pub mod contacts;
 mod curve;
 mod curved;

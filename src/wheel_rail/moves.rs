@@ -17,7 +17,7 @@
 use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
 use super::{Position, sine_cosine};
-use crate::normal::directions::{Moves, TOGETHER};
+use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
 
 /// Roundings by which the last point of a gap may be off.

@@ -11,9 +11,9 @@ use super::view::{self, View};
 use super::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
 use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity};
 use crate::normal::cells::{Cell, Cells};
-use crate::normal::directions::{DIRECTIONS, TOGETHER};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
+use crate::normal::profile::{DIRECTIONS, TOGETHER};
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Float, Number, add, at, length};
 use crate::status::Error;
@@ -75,34 +75,30 @@ impl<F: Float> Scene<'_, F> {
             let step = |direction| view.step_in(&moves, direction, deepest, creepage);
             let steps: [F; DIRECTIONS] = core::array::from_fn(step);
             for first in (0..DIRECTIONS).step_by(TOGETHER) {
-                let steps = steps.into_iter().enumerate().skip(first).take(TOGETHER);
+                let steps: [F; TOGETHER] = core::array::from_fn(|k| at(&steps, first + k));
                 let mut moves = moves;
                 moves.first = first;
                 let profile = profile.moving(&moves);
                 curve.follow(&profile, &moves, pair.smoothing_length);
                 let mut rates = [[F::zero(); GROUPS]; TOGETHER];
-                for (direction, rates) in rates.iter_mut().enumerate() {
-                    rates_of_shares(&curve, &groups, direction, rates)?;
+                for (k, rates) in rates.iter_mut().enumerate() {
+                    rates_of_shares(&curve, &groups, k, rates)?;
                 }
                 for (number, group) in groups.iter().enumerate() {
                     curve.restrict(&group.whole);
                     let depth = curve.depth(&group.whole);
                     let mut pressed = view.press(&profile, &curve, depth, count, cells)?;
-                    let mut shares = [F::one(); TOGETHER];
+                    let mut own = steps.map(|step| (step, F::one()));
                     if sides == 2 {
-                        shorten(&mut shares, cells, steps.clone().map(|(_, step)| step));
+                        shorten(cells, &mut own);
                     }
-                    let steps = steps.clone().zip(shares);
-                    let shorter = steps.clone().map(|((_, step), share)| step * share);
-                    bound_changes(cells, shorter);
-                    for ((direction, step), share) in steps {
-                        let step = step * share;
-                        for (step, weight) in
-                            [(step, share), (-step, -share)].into_iter().take(sides)
-                        {
+                    bound_changes(cells, &own);
+                    for (k, ((step, share), rates)) in own.into_iter().zip(&rates).enumerate() {
+                        for side in [F::one(), -F::one()].into_iter().take(sides) {
+                            let (step, weight) = (side * step * share, side * share);
                             // (what is more than zero does not vanish over a step)
                             let of = |own: Directed<F>| {
-                                let moved = own.value + step * own.derivative(direction - first);
+                                let moved = own.value + step * own.derivative(k);
                                 let vanishes = own.value > F::zero() && moved <= F::zero();
                                 if vanishes { own.value } else { moved }
                             };
@@ -110,17 +106,15 @@ impl<F: Float> Scene<'_, F> {
                             if strips.count == 0 {
                                 continue;
                             }
-                            let moved = view.moved(moves, direction, step);
+                            let moved = view.moved(moves, first + k, step);
                             contact.fill(&moved, strips, &pressed);
-                            let rate = rates.get(direction - first);
-                            let rate = rate.map_or(F::zero(), |rates| at(rates, number));
-                            contact.share = (group.share + step * rate).max(F::zero());
+                            contact.share = (group.share + step * at(rates, number)).max(F::zero());
                             // (by ± h/h' where its own step h' is shorter than h)
                             let (own, weight) = (from_ref(&*contact), F::one() / weight);
                             let found =
                                 sum_of_contacts::<_, false>(strips, own, velocity, law, None);
                             let moved = found?.members().map(|own| own * weight);
-                            if let Some(column) = columns.get_mut(direction) {
+                            if let Some(column) = columns.get_mut(first + k) {
                                 add(&mut column[..], moved);
                             }
                         }
@@ -139,42 +133,34 @@ impl<F: Float> Scene<'_, F> {
     }
 }
 
-/// Changes of a cell over steps: `h ρ` with `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
-fn changes<F: Float>(
-    cell: &Cell<F, TOGETHER>,
-    steps: impl Iterator<Item = F>,
-) -> impl Iterator<Item = F> {
-    let Cell { y, width, half_length, .. } = *cell;
-    steps.enumerate().map(move |(k, step)| {
-        let rate = |own: &Directed<F>| own.derivative(k).abs();
-        let of_width = rate(&y).max(rate(&width)) / width.value;
-        step * of_width.max(rate(&half_length) / half_length.value)
-    })
+/// Change of a cell over a step in direction `k`: `h ρ` with `ρ = max(|y'|/w, |w'|/w, |a'|/a)`.
+fn change<F: Float>(cell: &Cell<F, TOGETHER>, k: usize, step: F) -> F {
+    let Cell { y, width, half_length, .. } = cell;
+    let rate = |own: &Directed<F>| own.derivative(k).abs();
+    let of_width = rate(y).max(rate(width)) / width.value;
+    step * of_width.max(rate(half_length) / half_length.value)
 }
 
-/// Shares of the steps over which all cells change by little, at least [`SHORTEST`].
-fn shorten<F: Float>(
-    shares: &mut [F; TOGETHER],
-    cells: &Cells<F, TOGETHER>,
-    steps: impl Iterator<Item = F> + Clone,
-) {
+/// Shares of steps over which all cells change by little, at least [`SHORTEST`].
+fn shorten<F: Float>(cells: &Cells<F, TOGETHER>, steps: &mut [(F, F); TOGETHER]) {
     for cell in cells.list.iter() {
-        for (share, change) in shares.iter_mut().zip(changes(cell, steps.clone())) {
-            *share = share.min(F::of(LARGEST_CHANGE) / (change + F::TINY)).max(F::of(SHORTEST));
+        for (k, (step, share)) in steps.iter_mut().enumerate() {
+            let most = F::of(LARGEST_CHANGE) / (change(cell, k, *step) + F::TINY);
+            *share = share.min(most).max(F::of(SHORTEST));
         }
     }
 }
 
-/// Lessens the derivatives of cells that would change by much over the steps, so that strips keep
-/// their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`.
-fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: impl Iterator<Item = F> + Clone) {
+/// Lessens the derivatives of cells that would change by much over shares of steps, so that strips
+/// keep their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`.
+fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: &[(F, F); TOGETHER]) {
     for cell in cells.list.iter_mut() {
-        let known = *cell;
-        let Cell { y, width, half_length, centre_x, pressure, .. } = cell;
-        for (k, change) in changes(&known, steps.clone()).enumerate() {
+        for (k, (step, share)) in steps.iter().enumerate() {
+            let change = change(cell, k, *step * *share);
             if change > F::of(LARGEST_CHANGE) {
                 let part = F::of(LARGEST_CHANGE) / change;
-                for own in [&mut *y, width, half_length, centre_x, pressure] {
+                let Cell { y, width, half_length, centre_x, pressure, .. } = cell;
+                for own in [y, width, half_length, centre_x, pressure] {
                     own.set_derivative(k, own.derivative(k) * part);
                 }
             }
