@@ -23,7 +23,7 @@ pub use crate::normal::cell::CELLS;
 pub(crate) use crate::normal::cell::{Cell, Cells};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
-use crate::number::{Arithmetic, Dual, Float, Number, Strips, with_avx};
+use crate::number::{Arithmetic, Dual, Float, Number, Strips, put, with_avx};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
@@ -304,9 +304,7 @@ impl<F: Float, const N: usize> CellEdges<F, N> {
                 let relative = sign * moved * inverse - P::all(growth);
                 let slope = sign * slope * relative;
                 for (k, slopes) in slopes.iter_mut().enumerate() {
-                    if let Some(own) = slopes.get_mut(d) {
-                        *own = slope.lane(k);
-                    }
+                    put(slopes, d, slope.lane(k));
                 }
             }
         }

@@ -73,17 +73,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// The depth of the zone that counts, with its derivatives; the curve is measured from there.
     pub(crate) fn depth(&mut self, zone: &Overlap<F>) -> Dual<F, N> {
         let [begin, end] = zone.ends;
-        let mut lowest = Dual::from_base(F::LARGEST);
-        let of = |knot: &Knot<F, N>| [knot.height, knot.slope];
-        self.pieces(of, |knot, cubic, length| {
-            for t in cuts(cubic, length) {
-                let y = knot.y.value + t.value;
-                if y >= begin && y <= end {
-                    lowest = lowest.min(cubic.value_at(t));
-                }
-            }
-        });
-        self.lowest.gradient = lowest.gradient;
+        self.lowest.gradient = self.lowest_between(|y| y >= begin && y <= end).gradient;
         Dual::from_base(self.zero) - self.lowest
     }
 

@@ -4,7 +4,7 @@
 //! Rows are padded with zeros to fours, which fill a register.
 
 use crate::normal::cell::CELLS;
-use crate::number::{Dual, Float, with_avx};
+use crate::number::{Dual, Float, add_at, put, with_avx};
 use core::ops::Range;
 use heapless::Vec;
 
@@ -45,13 +45,9 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     #[inline(always)]
     pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = Dual<F, N>>) {
         for (row, entry) in self.rows.iter_mut().zip(entries) {
-            if let Some(own) = row.influence.get_mut(j) {
-                *own = entry.value;
-            }
+            put(&mut row.influence, j, entry.value);
             for (own, slope) in row.slopes.iter_mut().zip(entry.gradient) {
-                if let Some(own) = own.get_mut(j) {
-                    *own = slope;
-                }
+                put(own, j, slope);
             }
         }
     }
@@ -60,13 +56,9 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     pub(super) fn add_coupling(&mut self, i: usize, k: usize, kappa: Dual<F, N>) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (k, sign) in [(i, F::one()), (k, -F::one())] {
-            if let Some(entry) = row.influence.get_mut(k) {
-                *entry += sign * kappa.value;
-            }
+            add_at(&mut row.influence, k, sign * kappa.value);
             for (slopes, change) in row.slopes.iter_mut().zip(kappa.gradient) {
-                if let Some(slope) = slopes.get_mut(k) {
-                    *slope += sign * change;
-                }
+                add_at(slopes, k, sign * change);
             }
         }
     }
@@ -125,9 +117,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     pub(super) fn add_slopes(&mut self, i: usize, j: usize, slopes: &[F], pressure: F) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (sums, slope) in row.influence.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
-            if let Some(sum) = sums.get_mut(j % 4) {
-                *sum += *slope * pressure;
-            }
+            add_at(sums, j % 4, *slope * pressure);
         }
     }
 
@@ -168,9 +158,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
                         *own -= factor * *above;
                     }
                 }
-                if let Some(entry) = factors.get_mut(k) {
-                    *entry = factor;
-                }
+                put(factors, k, factor);
             }
         }
     }
@@ -183,9 +171,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
         for &k in touching {
             let (Some(row), Some(own)) = (self.rows.get(k), side.get(k)) else { return };
             let own = *own - product(&row.factors, &half, 0..k / 4 + 1);
-            if let Some(place) = half.get_mut(k) {
-                *place = own;
-            }
+            put(&mut half, k, own);
         }
         *side = [F::zero(); CELLS];
         for &k in touching.iter().rev() {

@@ -54,7 +54,7 @@ const LEAST_LENGTH: f64 = 1e-3;
 
 /// Approach, load and pressure of two profiles in contact.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Indentation<F> {
     /// Approach of distant points of the two bodies \[m\] from where they touch: at the lowest
     /// point of the smoothed profile.
@@ -81,17 +81,8 @@ impl<F: Float> Indentation<F> {
     /// The result without contact.
     fn none(profile: &Profile<F>) -> Self {
         let [first, last] = profile.ends;
-        let none = F::zero();
-        Self {
-            approach: none,
-            normal_force: none,
-            stiffness: none,
-            peak_pressure: none,
-            peak_y: first.times(0.5) + last.times(0.5),
-            iterations: 0,
-            warning: Warning::None,
-            lowest: profile.lowest,
-        }
+        let peak_y = first.times(0.5) + last.times(0.5);
+        Self { peak_y, lowest: profile.lowest, ..Self::default() }
     }
 
     /// Solves the contact; `cells` receives what strips are made of, nothing without contact.

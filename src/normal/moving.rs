@@ -4,7 +4,7 @@ use crate::normal::parabola::{STEPS, near_points, with_ridge};
 use crate::normal::profile::Profile;
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::normal::smooth::{SmoothedProfile, low_level};
-use crate::number::{Arithmetic, Dual, Float, at, with_avx};
+use crate::number::{Arithmetic, Dual, Float, add_at, at, with_avx};
 use core::cell::Cell;
 
 /// A number with its derivatives.
@@ -132,9 +132,7 @@ impl<'a, F: Float> Moving<'a, F> {
                 let value = weight.value;
                 let term = Directed::composed(value * power, [power, value * slope], [weight, x]);
                 *m += term;
-                if let Some(s) = s.get_mut(j) {
-                    *s += term * height;
-                }
+                add_at(&mut s, j, term * height);
                 (power, slope) = (power * x.value, slope * x.value + power);
             }
         }

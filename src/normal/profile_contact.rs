@@ -41,8 +41,7 @@ impl<F: Float> ProfileContact<F> {
         check_modulus(self.shear_modulus)?;
         check_poisson_ratio(self.poisson_ratio)?;
         Error::Friction.when(self.friction < F::zero())?;
-        Error::SmoothingLength.when(self.smoothing_length < F::zero())?;
-        Ok(())
+        Error::SmoothingLength.when(self.smoothing_length < F::zero())
     }
 
     pub(super) fn smoothing<const N: usize>(&self, half_width: Dual<F, N>) -> Dual<F, N> {

@@ -126,17 +126,22 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
             curve.fill(profile, length, level.value, step)
         });
+        curve.lowest = curve.lowest_between(|_| true);
+        curve
+    }
+
+    /// The lowest value of the curve at its extremes and knots that count by their places.
+    pub(super) fn lowest_between(&self, counts: impl Fn(F) -> bool) -> Dual<F, N> {
         let mut lowest = Dual::from_base(F::LARGEST);
-        curve.pieces(
-            |knot| [knot.height, knot.slope],
-            |_, cubic, length| {
-                for t in cuts(cubic, length) {
+        let of = |knot: &Knot<F, N>| [knot.height, knot.slope];
+        self.pieces(of, |knot, cubic, length| {
+            for t in cuts(cubic, length) {
+                if counts(knot.y.value + t.value) {
                     lowest = lowest.min(cubic.value_at(t));
                 }
-            },
-        );
-        curve.lowest = lowest;
-        curve
+            }
+        });
+        lowest
     }
 
     /// The curve of the distance of two surfaces, smoothed over a length, wherever they overlap. It

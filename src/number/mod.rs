@@ -143,6 +143,22 @@ pub(crate) fn at<F: Float>(list: &[F], k: usize) -> F {
     list.get(k).copied().unwrap_or(F::zero())
 }
 
+/// Replaces a number of a list; past its end there is none.
+#[inline(always)]
+pub(crate) fn put<F>(list: &mut [F], k: usize, value: F) {
+    if let Some(place) = list.get_mut(k) {
+        *place = value;
+    }
+}
+
+/// Adds to a number of a list.
+#[inline(always)]
+pub(crate) fn add_at<T: Arithmetic>(list: &mut [T], k: usize, term: T) {
+    if let Some(sum) = list.get_mut(k) {
+        *sum += term;
+    }
+}
+
 /// Successive items of a list.
 #[inline(always)]
 pub(crate) fn pairs<T>(list: &[T]) -> impl ExactSizeIterator<Item = (&T, &T)> + Clone {

@@ -98,8 +98,7 @@ impl<F: Float> PatchStrip<F> {
         Error::NotFinite.unless(self.numbers().iter().all(|input| input.is_finite_number()))?;
         Error::StripSize.when(width <= F::zero() || half_length <= F::zero())?;
         Error::Pressure.when(peak_pressure < F::zero())?;
-        Error::Friction.when(friction < F::zero())?;
-        Ok(())
+        Error::Friction.when(friction < F::zero())
     }
 
     /// Distance of the centre lines at which the strips touch.
@@ -233,8 +232,7 @@ pub(crate) fn check_ellipse<F: Float>(
         let lobe = Contact { b, normal_force: load, friction, ..*contact };
         lobe.check().map_err(|_| Error::Overflow)?;
     }
-    Error::Overflow.unless((area * scale.area).is_finite_number())?;
-    Ok(())
+    Error::Overflow.unless((area * scale.area).is_finite_number())
 }
 
 /// Passes the strips of a checked ellipse to `take`, which returns whether there was room.

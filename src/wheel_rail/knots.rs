@@ -4,7 +4,7 @@
 use super::curve::{Points, distance};
 use super::spine::{CAPACITY, Polyline};
 use super::surface::{CurvePoint, Surface};
-use crate::number::Float;
+use crate::number::{Float, add_at, put};
 use crate::numerics::parabola::NormalEquations;
 
 /// Cells of points that are averaged, where there are too many: with two ends they have room.
@@ -137,9 +137,7 @@ impl<'a, F: Float> Knots<'a, F> {
 
     #[inline(always)]
     fn set(&mut self, k: usize, knot: PointAverage<F>) {
-        if let Some(length) = self.lengths.get_mut(k) {
-            *length = knot.length;
-        }
+        put(&mut self.lengths, k, knot.length);
         let [y, z] = knot.point;
         if self.is_weighted {
             self.store.set_point(k, CurvePoint { y, z, cosine: knot.weight, sine: knot.spread });
@@ -296,9 +294,7 @@ impl<'a, F: Float> Knots<'a, F> {
             for (j, m) in m.iter_mut().enumerate() {
                 *m += weight;
                 for ((sum, value), middle) in sums.iter_mut().zip(knot.point).zip(middle) {
-                    if let Some(sum) = sum.get_mut(j) {
-                        *sum += weight * (value - middle);
-                    }
+                    add_at(sum, j, weight * (value - middle));
                 }
                 weight = weight * x;
             }

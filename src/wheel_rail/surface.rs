@@ -2,7 +2,7 @@
 //! that distances have continuous slopes.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use crate::number::{Arithmetic, Float, Strips, are_finite};
+use crate::number::{Arithmetic, Float, Strips, are_finite, put};
 use crate::numerics::hermite::{Along, Cubic};
 use crate::status::Error;
 
@@ -88,9 +88,7 @@ impl<F: Float> Surface<F> {
         let Self { y, z, cosine, sine, .. } = self;
         let lists = [y, z, cosine, sine].into_iter();
         for (list, value) in lists.zip([place.y, place.z, place.cosine, place.sine]) {
-            if let Some(number) = list.get_mut(k) {
-                *number = value;
-            }
+            put(list, k, value);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::kinematics::{Kinematics, Side, Ten, transposed_times};
-use crate::number::{Float, add, are_finite};
+use crate::number::{Float, add, add_at, are_finite};
 use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
@@ -171,8 +171,6 @@ fn add_column<F: Float>(
     entries: &Ten<F>,
 ) {
     for (row, entry) in matrix.iter_mut().zip(entries) {
-        if let Some(sum) = row.get_mut(column) {
-            *sum += *entry;
-        }
+        add_at(row, column, *entry);
     }
 }
