@@ -15,9 +15,8 @@
 //! multiplies `a` by the root of the quotient of both sides, or by a little less where the
 //! neighbours move as well.
 //!
-//! The end of a zone may cut a cell to the share `r`. The pressure of such a cell is coupled to
-//! that of its neighbour in the zone, `u_i + κ (p_i − p_k) = δ − h_i` with `κ = 0.3 w (1 − r)²/r`,
-//! and takes the neighbour's value as its width vanishes.
+//! The pressure of a cell that the end of a zone cuts is coupled to that of its neighbour,
+//! `u_i + κ (p_i − p_k) = δ − h_i` (`layout`).
 
 pub use crate::normal::cell::CELLS;
 pub(crate) use crate::normal::cell::{Cell, Cells};

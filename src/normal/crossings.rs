@@ -156,7 +156,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             }
         }
         if let Some((end, _)) = last {
-            at_end = at_end || (zones.is_open() && end.value >= finish);
+            at_end = at_end || (zones.begun.is_some() && end.value >= finish);
         }
         zones.end();
         at_end

@@ -44,7 +44,7 @@ pub(super) struct Zones<F, const N: usize> {
     /// `l` \[m\]
     reach: Dual<F, N>,
     /// Number of places before the zone that has begun.
-    begun: Option<usize>,
+    pub begun: Option<usize>,
 }
 
 /// A part of a zone along which the density is linear.
@@ -156,10 +156,5 @@ impl<F: Float, const N: usize> Zones<F, N> {
         } else {
             self.places.truncate(begun);
         }
-    }
-
-    /// Whether a zone has begun and not ended.
-    pub fn is_open(&self) -> bool {
-        self.begun.is_some()
     }
 }

@@ -93,9 +93,10 @@ impl<F: Float> Indentation<F> {
         cells: &mut Cells<F, 1>,
     ) -> Result<Self, Error> {
         // (the first guess of the approach takes a radius)
-        let rolling_radius = profile.first_radius(contact.rolling_radius);
+        let radii = profile.rolling_radius;
+        let rolling_radius = radii.first().copied().unwrap_or(contact.rolling_radius);
         let contact = &ProfileContact { rolling_radius, ..*contact };
-        contact.check(profile.has_radii())?;
+        contact.check(!radii.is_empty())?;
         cells.list.clear();
         let value = contact.given.number();
         if value <= F::zero() {

@@ -40,7 +40,7 @@ pub struct Profile<'a, F> {
     /// Where the distance is least along `x`; empty: at 0.
     centre_x: &'a [F],
     /// Empty: that of the contact.
-    rolling_radius: &'a [F],
+    pub(super) rolling_radius: &'a [F],
     /// Smallest distance.
     pub(super) lowest: F,
     pub(super) ends: [F; 2],
@@ -51,7 +51,7 @@ pub struct Profile<'a, F> {
     /// Distances up to which a point counts fully in smoothing, and from which it does not \[m\].
     pub(super) fade: Option<[F; 2]>,
     /// How the points move, if they do.
-    pub(super) motion: Option<&'a dyn Moves<F>>,
+    pub(crate) motion: Option<&'a dyn Moves<F>>,
 }
 
 impl<'a, F: Float> Profile<'a, F> {
@@ -90,12 +90,6 @@ impl<'a, F: Float> Profile<'a, F> {
         self
     }
 
-    /// The same with points that move.
-    pub(crate) fn moving(mut self, motion: &'a dyn Moves<F>) -> Self {
-        self.motion = Some(motion);
-        self
-    }
-
     /// The same with the place along `x` \[m\] where the distance is least, for each point: of
     /// bodies that yaw.
     ///
@@ -121,16 +115,6 @@ impl<'a, F: Float> Profile<'a, F> {
         Error::Profile.unless(values.len() == self.y.len())?;
         Error::NotFinite.unless(are_finite(values))?;
         Ok(values)
-    }
-
-    /// Whether points have rolling radii of their own.
-    pub(super) fn has_radii(&self) -> bool {
-        !self.rolling_radius.is_empty()
-    }
-
-    /// The rolling radius of the first point; `otherwise` is that of the contact.
-    pub(super) fn first_radius(&self, otherwise: F) -> F {
-        self.rolling_radius.first().copied().unwrap_or(otherwise)
     }
 
     /// Where the distance is least along `x`.

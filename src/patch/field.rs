@@ -73,7 +73,7 @@ impl<'a, F: Float> PatchField<'a, F> {
         Problem::new(patch, creepage, model)?;
         // Dissipation is traction times slip, which is of the size of the rigid slip.
         let tractions = patch.strips().iter().map(|strip| strip.friction * strip.peak_pressure);
-        let slip = largest_rigid_slip(creepage, patch.sizes().reach).times(8.0);
+        let slip = largest_rigid_slip(creepage, patch.sizes.reach).times(8.0);
         Error::Overflow.unless((tractions.fold(F::zero(), F::max) * slip).is_finite_number())?;
         let constant = SlipFriction::of_constant(F::one());
         let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&constant), model)?;

@@ -70,7 +70,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
 ) {
     let QuadratureScale { area, lever } = view.quadrature();
     let (mut known, mut last): (Option<ZoneLaw<F>>, Option<Seen<T>>) = (None, None);
-    let of_patch = view.sizes().widths;
+    let of_patch = view.sizes.widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
         let alternates = of_patch.alternation > F::zero();

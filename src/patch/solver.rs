@@ -61,11 +61,11 @@ impl<'a, F: Float> Problem<'a, F> {
         model: Model,
     ) -> Result<Self, Error> {
         creepage.check()?;
-        let has_strips = model != Model::Linear && (model != Model::Total || !view.has_own());
+        let has_strips = model != Model::Linear && (model != Model::Total || view.own.is_empty());
         Error::NotInModel.unless(has_strips)?;
         let problem = Self { view, creepage, model, behind: None };
         let (slip, bound) = (problem.largest_rigid_slip(), view.friction_bound());
-        Error::Overflow.unless(are_finite(&[slip, bound * view.sizes().reach, bound * slip]))?;
+        Error::Overflow.unless(are_finite(&[slip, bound * view.sizes.reach, bound * slip]))?;
         Ok(problem)
     }
 
@@ -73,7 +73,7 @@ impl<'a, F: Float> Problem<'a, F> {
     pub fn largest_rigid_slip(&self) -> F {
         let Self { view, creepage, .. } = *self;
         let [own, _] = view.most_own();
-        let slip = largest_rigid_slip(creepage, view.sizes().reach) + own;
+        let slip = largest_rigid_slip(creepage, view.sizes.reach) + own;
         if view.mismatch() == F::zero() {
             return slip;
         }

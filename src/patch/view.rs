@@ -19,13 +19,13 @@ pub struct PatchView<'a, F> {
     poisson_ratio: F,
     scale: QuadratureScale<F>,
     mismatch: F,
-    own: &'a [Creepage<F>],
+    pub(super) own: &'a [Creepage<F>],
     own_factor: F,
     /// Whether there are several lobes.
     has_gaps: bool,
-    sizes: Sizes<F>,
+    pub(super) sizes: Sizes<F>,
     /// The zone of all strips; none where a gap or a neck divides the patch.
-    whole: Option<Zone<F>>,
+    pub(super) whole: Option<Zone<F>>,
     /// In a divided patch, the zones of the first lobes whose strips all have the same zone.
     of_lobes: [Option<Zone<F>>; LOBES],
 }
@@ -141,10 +141,6 @@ impl<'a, F: Float> PatchView<'a, F> {
         self
     }
 
-    pub(super) fn has_own(&self) -> bool {
-        !self.own.is_empty()
-    }
-
     /// The creepage that a strip has at its centre besides that of the patch.
     pub(super) fn own(&self, number: usize) -> Option<Creepage<F>> {
         Some(self.own.get(number)?.scaled(self.own_factor))
@@ -185,14 +181,6 @@ impl<'a, F: Float> PatchView<'a, F> {
     #[must_use]
     pub fn quadrature(&self) -> QuadratureScale<F> {
         self.scale
-    }
-
-    pub(crate) fn whole_zone(&self) -> Option<&Zone<F>> {
-        self.whole.as_ref()
-    }
-
-    pub(super) fn sizes(&self) -> &Sizes<F> {
-        &self.sizes
     }
 
     /// The lobes, each with the index of its first strip, and the zone if all its strips share one.

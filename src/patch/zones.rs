@@ -206,7 +206,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of all strips, if no neck and no gap divides the patch.
     pub(crate) fn only_zone(&self) -> Option<Zone<F>> {
         let strips = self.strips();
-        let units = self.sizes();
+        let units = &self.sizes;
         let first = strips.first()?;
         let mut walk = Walk::new(first, units.widths.per_width);
         let mut sums = ZoneSums::default();
@@ -223,7 +223,7 @@ impl<F: Float> PatchView<'_, F> {
 
     /// The first known zone of a list.
     pub(crate) fn find_zone<R>(&self, of: impl Fn(&Zone<F>) -> Option<R>) -> Option<R> {
-        match self.whole_zone() {
+        match &self.whole {
             Some(zone) => of(zone),
             None => self.zones().find_map(|zone| of(&zone)),
         }
@@ -240,7 +240,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of the strip with this index; `None` beyond the last.
     #[must_use]
     pub fn zone(&self, number: usize) -> Option<Zone<F>> {
-        match self.whole_zone() {
+        match &self.whole {
             Some(zone) => (number < self.strips().len()).then_some(*zone),
             None => self.zone_around(number),
         }
@@ -248,7 +248,7 @@ impl<F: Float> PatchView<'_, F> {
 
     /// The zone of the lobe from this index on, if no neck divides it and no other lobe is near.
     pub(crate) fn zone_of_lobe(&self, number: usize, lobe: &[PatchStrip<F>]) -> Option<Zone<F>> {
-        let per_width = self.sizes().widths.per_width;
+        let per_width = self.sizes.widths.per_width;
         let (first, last) = (lobe.first()?, lobe.last()?);
         let before = number.checked_sub(1).and_then(|i| self.strips().get(i));
         let after = self.strips().get(number + lobe.len());
@@ -268,7 +268,7 @@ impl<F: Float> PatchView<'_, F> {
         let strips = self.strips();
         let (before, rest) = strips.split_at_checked(number)?;
         let (own, after) = rest.split_first()?;
-        let units = self.sizes();
+        let units = &self.sizes;
         let mut sums = ZoneSums::default();
         sums.add(own, units, own.centre_x, F::one());
         let mut add = |strips: &mut dyn Iterator<Item = &PatchStrip<F>>| {
@@ -290,7 +290,7 @@ impl<F: Float> PatchView<'_, F> {
     /// The zone of a strip from the sums over all that it is connected with.
     fn zone_of(&self, sums: &ZoneSums<F>, own: &PatchStrip<F>) -> Zone<F> {
         let zero = F::zero();
-        let units = self.sizes();
+        let units = &self.sizes;
         let Sizes { per_length, per_width, .. } = *units;
         let ZoneSums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
         // Smaller products have no digits left; such a zone carries no load.

@@ -43,11 +43,6 @@ impl<F: Float> Trend<F> {
     }
 }
 
-/// Whether an error says that the wheel is too deep in the rail.
-fn is_too_deep(error: Error) -> bool {
-    matches!(error, Error::ProfileEnd | Error::Overflow | Error::PatchSize)
-}
-
 impl<F: Float> Scene<'_, F> {
     /// The vertical position at which the rail supports the wheel with a force: of several the
     /// highest that the search meets from above. Creep forces carry as well if there is a
@@ -85,7 +80,8 @@ impl<F: Float> Scene<'_, F> {
             let at = Position { vertical: here, ..*position };
             let found = self.support(&at, velocity, memory);
             let next = match found {
-                Err(error) if is_too_deep(error) => {
+                Err(error @ (Error::ProfileEnd | Error::Overflow | Error::PatchSize)) => {
+                    // (the wheel is too deep in the rail)
                     deep = Some((here, deep.map_or(error, |(_, first)| first)));
                     None
                 }

@@ -76,9 +76,9 @@ impl<F: Float> Scene<'_, F> {
             let steps: [F; DIRECTIONS] = core::array::from_fn(step);
             for first in (0..DIRECTIONS).step_by(TOGETHER) {
                 let steps: [F; TOGETHER] = core::array::from_fn(|k| at(&steps, first + k));
-                let mut moves = moves;
+                let (mut moves, mut profile) = (moves, profile);
                 moves.first = first;
-                let profile = profile.moving(&moves);
+                profile.motion = Some(&moves);
                 curve.follow(&profile, &moves, pair.smoothing_length);
                 let mut rates = [[F::zero(); GROUPS]; TOGETHER];
                 for (k, rates) in rates.iter_mut().enumerate() {
