@@ -143,6 +143,15 @@ pub(crate) fn at<F: Float>(list: &[F], k: usize) -> F {
     list.get(k).copied().unwrap_or(F::zero())
 }
 
+/// Numbers at a share of the way from some to others.
+#[inline(always)]
+pub(crate) fn between<F: Float, const N: usize>(mut from: [F; N], to: [F; N], share: F) -> [F; N] {
+    for (from, to) in from.iter_mut().zip(to) {
+        *from += (to - *from) * share;
+    }
+    from
+}
+
 /// Replaces a number of a list; past its end there is none.
 #[inline(always)]
 pub(crate) fn put<F>(list: &mut [F], k: usize, value: F) {

@@ -4,7 +4,7 @@
 use super::curve::{Points, distance};
 use super::spine::{CAPACITY, Polyline};
 use super::surface::{CurvePoint, Surface};
-use crate::number::{Float, add_at, put};
+use crate::number::{Float, add_at, between, put};
 use crate::numerics::parabola::NormalEquations;
 
 /// Cells of points that are averaged, where there are too many: with two ends they have room.
@@ -36,11 +36,10 @@ impl<F: Float> PointAverage<F> {
         let weight = self.weight + other.weight;
         let share = other.weight / weight;
         let apart = other.length - self.length;
-        let [[y, z], [v, w]] = [self.point, other.point];
         Self {
             weight,
             length: self.length + apart * share,
-            point: [y + (v - y) * share, z + (w - z) * share],
+            point: between(self.point, other.point, share),
             spread: self.spread + other.spread + apart * apart * self.weight * share,
         }
     }
@@ -220,8 +219,7 @@ impl<'a, F: Float> Knots<'a, F> {
     fn extend(&mut self, k: usize, other: usize, length: F) {
         if let (Some(knot), Some(other)) = (self.knot(k), self.knot(other)) {
             let share = (length - knot.length) / (other.length - knot.length);
-            let [[y, z], [v, w]] = [knot.point, other.point];
-            let point = [y + (v - y) * share, z + (w - z) * share];
+            let point = between(knot.point, other.point, share);
             self.set(k, PointAverage { length, point, ..knot });
         }
     }

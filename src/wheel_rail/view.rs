@@ -10,7 +10,7 @@ use crate::normal::cells::{Cells, Given};
 use crate::normal::parabola::STEPS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
-use crate::number::{Dual, Float, are_finite, ascend, at};
+use crate::number::{Dual, Float, are_finite, ascend, at, between};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
@@ -80,11 +80,7 @@ impl<'a, F: Float> View<'a, F> {
         let [before, after] = [next - 1, next].map(|k| self.point(k));
         let ([from, ..], [to, ..]) = (before, after);
         let share = ((place - from) / (to - from + F::TINY)).clamped(F::zero(), F::one());
-        let mut found = before;
-        for (found, after) in found.iter_mut().zip(after) {
-            *found = *found + (after - *found) * share;
-        }
-        found
+        between(before, after, share)
     }
 
     /// The members of a point, where it has moved.
