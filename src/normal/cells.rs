@@ -22,7 +22,7 @@ pub use crate::normal::cell::CELLS;
 pub(crate) use crate::normal::cell::{Cell, Cells};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
-use crate::number::{Arithmetic, Dual, Float, Number, Strips, put, with_avx};
+use crate::number::{Arithmetic, Dual, Float, Number, Strips, add, put, with_avx};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
@@ -220,9 +220,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         for cell in self.list.iter().filter(|cell| cell.touches) {
             let share = cell.pressure / cell.half_length;
             across.fill::<Curvature, N>(&CellEdges::new(cell), self.list);
-            for (sum, difference) in curvatures.iter_mut().zip(across.differences()) {
-                *sum += difference * share;
-            }
+            add(&mut curvatures, across.differences().map(|difference| difference * share));
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
             // the Padé approximant of the power of c keeps the correction within a factor of 4

@@ -31,7 +31,7 @@ use crate::motion::Motion;
 use crate::normal::Indentation;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Dual, Float, are_finite, at, length};
+use crate::number::{Dual, Float, add, are_finite, at, length};
 use crate::numerics::smooth_step;
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
@@ -214,9 +214,7 @@ impl<F: Float> WheelContact<F> {
             ];
             let load = strip.load();
             for (sums, terms) in sums.iter_mut().zip(terms) {
-                for (sum, term) in sums.iter_mut().zip(terms) {
-                    *sum += load * term;
-                }
+                add(sums, terms.map(|term| load * term));
             }
             strip.friction = pair.friction_at_rail(position.lateral + y);
         }

@@ -25,7 +25,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::{Motion, Rolling};
-use crate::number::{Float, at};
+use crate::number::{Float, add, at};
 use crate::patch::friction::{By, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
@@ -107,14 +107,12 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
         let (near, rate) = rolling.through_ratio();
         let [ahead, behind] = ends(near)?;
         let moves = mean(ahead.by_mismatch, behind.by_mismatch);
-        found.by_speed.iter_mut().zip(moves).for_each(|(by, moves)| *by += moves * rate);
+        add(&mut found.by_speed, moves.map(|moves| moves * rate));
     }
     let rows = found.by_velocity.iter_mut().zip(behind.by_velocity).zip(found.by_speed);
     for ((row, behind), by_speed) in rows {
         *row = mean(*row, behind);
-        for (entry, speed) in row.iter_mut().zip(contact.rolling_speed) {
-            *entry += by_speed * speed;
-        }
+        add(row, contact.rolling_speed.map(|speed| by_speed * speed));
     }
     Ok(found)
 }
@@ -154,7 +152,7 @@ fn combined<F: Float>(rows: &[[F; 6]; 3], [a, b, c]: [F; 3]) -> [F; 6] {
 }
 
 fn add_scaled<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
-    sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term * factor);
+    add(sums, terms.map(|term| term * factor));
 }
 
 /// What the creep forces of one end of a contact follow from.

@@ -10,7 +10,7 @@ use crate::normal::cells::{Cells, Given};
 use crate::normal::parabola::STEPS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
-use crate::number::{Dual, Float, are_finite, ascend, at, between};
+use crate::number::{Dual, Float, add, are_finite, ascend, at, between};
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
@@ -87,9 +87,7 @@ impl<'a, F: Float> View<'a, F> {
     fn point(&self, k: usize) -> [F; 7] {
         let mut members = self.lists.map(|list| at(list, k));
         if let Some((moves, direction, step)) = &self.moved {
-            for (member, slope) in members.iter_mut().zip(moves.in_direction(k, *direction)) {
-                *member += *step * slope;
-            }
+            add(&mut members, moves.in_direction(k, *direction).map(|slope| *step * slope));
         }
         members
     }

@@ -20,7 +20,7 @@ use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
 use crate::forces::Solution;
 use crate::motion::{MotionDerivatives, Rolling};
-use crate::number::{Float, are_finite};
+use crate::number::{Float, add, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
 use crate::status::{Error, Warning};
 
@@ -215,9 +215,7 @@ impl<F: Float> WrenchDerivatives<F> {
     fn add_damping(&mut self, contact: &WheelContact<F>) {
         let load = contact.normal_damping * contact.share * contact.normal_force;
         for (row, normal) in self.velocity.iter_mut().zip(contact.normal) {
-            for (sum, other) in row.iter_mut().zip(contact.normal) {
-                *sum -= load * normal * other;
-            }
+            add(row, contact.normal.map(|other| -(load * normal * other)));
         }
     }
 
@@ -232,9 +230,7 @@ impl<F: Float> WrenchDerivatives<F> {
         }
         if damping > F::zero() {
             for (by, normal) in by_velocity.iter_mut().zip(contact.normal) {
-                for (by, slope) in by.iter_mut().zip(slopes.friction) {
-                    *by += slope / factor * damping * normal;
-                }
+                add(by, slopes.friction.map(|slope| slope / factor * damping * normal));
             }
             self.add_damping(contact);
         }
@@ -243,9 +239,7 @@ impl<F: Float> WrenchDerivatives<F> {
         {
             let column = column.map(|entry| entry * contact.share);
             *by_friction -= dot(&column, &slopes.friction);
-            for (sum, by) in row.iter_mut().zip(&by_velocity) {
-                *sum -= dot(&column, by);
-            }
+            add(row, by_velocity.map(|by| -dot(&column, &by)));
         }
     }
 }
