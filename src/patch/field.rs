@@ -5,10 +5,11 @@ use crate::forces::Model;
 use crate::forces::field::{FieldPoint, strip_point};
 use crate::friction::SlipFriction;
 use crate::friction::field::StripBehind;
+use crate::layer::Interface;
 use crate::number::{Float, pairs};
 use crate::patch::friction::{FrictionProblem, Scaled};
 use crate::patch::shares::{Seen, ZoneLaw};
-use crate::patch::slip::{PatchLayer, PatchSlip, ZoneSplit, largest_rigid_slip, seen_from};
+use crate::patch::slip::{PatchSlip, ZoneSplit, largest_rigid_slip, seen_from};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -25,7 +26,7 @@ pub struct PatchField<'a, F> {
     view: PatchView<'a, F>,
     creepage: Creepage<F>,
     model: Model,
-    behind: Option<PatchLayer<F>>,
+    behind: Option<Interface<F>>,
     units: LawUnits<F>,
     /// The warning of the solution, if there is one.
     pub warning: Warning,

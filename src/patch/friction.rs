@@ -29,7 +29,7 @@ use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
 use crate::number::{Dual, Float};
 pub(crate) use crate::patch::slip::{By, creepage_at};
-use crate::patch::slip::{PatchLayer, PatchSlip, Share};
+use crate::patch::slip::{PatchSlip, Share};
 use crate::patch::solver::{self, Problem};
 use crate::patch::{Patch, PatchView};
 use crate::status::{Error, Warning};
@@ -105,7 +105,7 @@ pub(super) struct Scaled<'a, F> {
     pub patch: PatchView<'a, F>,
     pub creepage: Creepage<F>,
     pub model: Model,
-    pub behind: Option<PatchLayer<F>>,
+    pub behind: Option<Interface<F>>,
     /// `k/λ`
     pub factor: F,
 }
@@ -129,7 +129,7 @@ pub(super) struct FrictionProblem<'a, F: Float> {
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
     /// The layer of the law.
-    behind: Option<PatchLayer<F>>,
+    behind: Option<Interface<F>>,
 }
 
 impl<'a, F: Float> FrictionProblem<'a, F> {
@@ -143,10 +143,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         law.check()?;
         let rigid_slip = Problem::new(patch, creepage, model)?.largest_rigid_slip();
         Error::Modulus.when(patch.shear_modulus() * law.slope_or_one() <= F::zero())?;
-        let behind = law.has_interface().then(|| {
-            let Interface { layer, slide } = law.interface(patch.shear_modulus(), F::one());
-            PatchLayer { depth: layer, slide }
-        });
+        let behind = law.has_interface().then(|| law.interface(patch.shear_modulus(), F::one()));
         let bound = patch.friction_bound();
         Ok(Self { patch, creepage, law, model, bound, rigid_slip, behind })
     }

@@ -74,7 +74,8 @@ impl<T: Number<Base: Float>> Share<T> {
 pub(super) struct PatchSlip<T> {
     pub creepage: Creepage<T>,
     pub pressure: T,
-    pub behind: Option<PatchLayer<T>>,
+    /// The layer `h G/G₃` \[m\], and what sliding leaves of its stiffness.
+    pub behind: Option<Interface<T>>,
 }
 
 /// The variables of derivatives.
@@ -88,24 +89,15 @@ pub(crate) enum By {
     Layer,
 }
 
-/// A layer between the bodies of a patch, and what sliding leaves of its stiffness.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PatchLayer<T> {
-    /// `h G/G₃` \[m\]
-    pub depth: T,
-    /// `k₁`
-    pub slide: T,
-}
-
 impl<F: Float> PatchSlip<F> {
-    pub fn new(creepage: &Creepage<F>, behind: Option<PatchLayer<F>>) -> Self {
+    pub fn new(creepage: &Creepage<F>, behind: Option<Interface<F>>) -> Self {
         Self { creepage: *creepage, pressure: F::one(), behind }
     }
 }
 
 impl<F: Float> PatchSlip<Dual<F, 3>> {
     /// With derivatives.
-    pub fn with_slopes(creepage: &Creepage<F>, behind: Option<PatchLayer<F>>, by: By) -> Self {
+    pub fn with_slopes(creepage: &Creepage<F>, behind: Option<Interface<F>>, by: By) -> Self {
         let of = |own: F, index: usize, variable: By| {
             if by == variable { Dual::input(own, index) } else { Dual::from_base(own) }
         };
@@ -117,8 +109,8 @@ impl<F: Float> PatchSlip<Dual<F, 3>> {
                 spin: of(spin, 2, By::Creepages),
             },
             pressure: of(F::one(), 0, By::Mismatch),
-            behind: behind.map(|PatchLayer { depth, slide }| PatchLayer {
-                depth: of(depth, 0, By::Layer),
+            behind: behind.map(|Interface { layer, slide }| Interface {
+                layer: of(layer, 0, By::Layer),
                 slide: of(slide, 1, By::Layer),
             }),
         }
@@ -146,11 +138,11 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         linear: &LinearCoefficients<F>,
         seen: &Creepage<T>,
         x: F,
-        behind: &PatchLayer<T>,
+        behind: &Interface<T>,
     ) -> Self {
         let Contact { a, b, friction, .. } = zone.contact;
         let parameters = Parameters::new(&zone.contact, seen);
-        let layer = behind.depth.scale(F::one() / a);
+        let layer = behind.layer.scale(F::one() / a);
         let interface = Interface { layer, slide: behind.slide };
         let split = Layer::new(a / b, linear).split(parameters.normalised(), &interface);
         let bound = friction * zone.contact.peak_pressure();
@@ -162,7 +154,7 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
     pub fn of_zone(
         zone: &Zone<F>,
         creepage: &Creepage<T>,
-        behind: &PatchLayer<T>,
+        behind: &Interface<T>,
     ) -> (Self, Creepage<T>) {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);

@@ -27,11 +27,12 @@ use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::BesidesSlopes;
 use crate::friction::layered::{LayerSlopes, WithSlopes};
+use crate::layer::Interface;
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Dual, Float, Number, add, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
 use crate::patch::slip::{
-    By, PatchLayer, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
+    By, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
 };
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
@@ -51,7 +52,7 @@ pub(super) struct Problem<'a, F> {
     pub creepage: &'a Creepage<F>,
     pub model: Model,
     /// The layer between the bodies, if there is one.
-    pub behind: Option<PatchLayer<F>>,
+    pub behind: Option<Interface<F>>,
 }
 
 impl<'a, F: Float> Problem<'a, F> {
@@ -307,13 +308,13 @@ impl<F: Float> Problem<'_, F> {
             slopes.power_by_mismatch = power.derivative(0);
         }
         let mut of_layer = LayerSlopes::default();
-        if let Some(PatchLayer { depth, .. }) = behind {
+        if let Some(Interface { layer, .. }) = behind {
             let PatchSums { forces, power, .. } = sums(By::Layer);
             let unit = patch.shear_modulus();
             of_layer.forces[0] = forces.map(|sum| sum.derivative(0) * unit);
             of_layer.forces[1] = forces.map(|sum| sum.derivative(1));
             of_layer.power = [power.derivative(0) * unit, power.derivative(1)];
-            of_layer.layer = depth / unit;
+            of_layer.layer = layer / unit;
         }
         let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
         let mut entries = jacobian.iter().flatten().chain(others);
