@@ -14,22 +14,10 @@ const ROUNDS: i32 = 3;
 const ROUNDS_OF_ALL: i32 = 5;
 const UNEQUAL: f64 = 0.1;
 
-/// Points with lengths, which ascend.
-pub(super) trait Points {
-    type Number: Float;
-
-    fn count(&self) -> usize;
-    /// Length and point, by the number of the point.
-    fn get(&self, k: usize) -> Option<(Self::Number, [Self::Number; 2])>;
-}
-
 /// Distance of two points.
 pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
     ((v - y).squared() + (w - z).squared()).sqrt()
 }
-
-/// The curve through some points: cubics with the slopes of the parabolas through three of them.
-pub(super) struct Interpolant<'a, K>(pub &'a K);
 
 /// Equal chords of a curve.
 #[derive(Clone, Copy)]
@@ -40,10 +28,16 @@ pub(super) struct Chords<F> {
     pub are_equal: bool,
 }
 
-impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
+/// Points with lengths, which ascend, and the curve through them: cubics with the slopes of the
+/// parabolas through three of them.
+pub(super) trait Points<F: Float> {
+    fn count(&self) -> usize;
+    /// Length and point, by the number of the point.
+    fn get(&self, k: usize) -> Option<(F, [F; 2])>;
+
     /// A point of the curve by its length, which lies between a point and the next or before.
     fn at(&self, mut k: usize, length: F) -> [F; 2] {
-        let get = |k: usize| self.0.get(k);
+        let get = |k: usize| self.get(k);
         while k > 0 && get(k).is_some_and(|(from, _)| from > length) {
             k -= 1;
         }
@@ -71,22 +65,22 @@ impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
     }
 
     /// Places of the curve: length, number of the point before, place.
-    fn places(&self) -> impl Iterator<Item = (F, usize, [F; 2])> + '_ {
-        let end = |k: usize| self.0.get(k).map_or(F::zero(), |(length, _)| length);
-        let count = self.0.count();
+    fn places(&self) -> impl Iterator<Item = (F, usize, [F; 2])> {
+        let end = |k: usize| self.get(k).map_or(F::zero(), |(length, _)| length);
+        let count = self.count();
         let (from, to) = (end(0), end(count.saturating_sub(1)));
         let each = (to - from) / F::widened(PLACES as f32);
         let mut k = 0;
         (0..=PLACES).map(move |i| {
             let length = from + each * F::widened(i as f32);
-            while k + 2 < count && self.0.get(k + 1).is_some_and(|(next, _)| next <= length) {
+            while k + 2 < count && self.get(k + 1).is_some_and(|(next, _)| next <= length) {
                 k += 1;
             }
             (length, k, self.at(k, length))
         })
     }
 
-    fn length(&self) -> F {
+    fn curve_length(&self) -> F {
         let mut last = None;
         self.places().fold(F::zero(), |sum, (_, _, place)| {
             sum + last.replace(place).map_or(F::zero(), |last| distance(last, place))
@@ -94,8 +88,8 @@ impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
     }
 
     /// At most so many equal chords, of the requested length or a little shorter.
-    pub(super) fn equal_chords(&self, wanted: F, most: i32) -> Chords<F> {
-        let wanted = wanted.min(self.length().times(1.0 / f64::from(FEWEST)));
+    fn equal_chords(&self, wanted: F, most: i32) -> Chords<F> {
+        let wanted = wanted.min(self.curve_length().times(1.0 / f64::from(FEWEST)));
         let chords = self.walk(wanted, |_, _| ());
         let count = chords.plus(0.5).whole().clamp(FEWEST, most);
         let whole = F::widened(count as f32);
@@ -110,7 +104,7 @@ impl<F: Float, K: Points<Number = F>> Interpolant<'_, K> {
 
     /// Goes along the curve in chords of one length, and returns how many there are, the last one
     /// in part. Passes on where they begin and where the curve ends, with the number of the chord.
-    pub(super) fn walk(&self, chord: F, mut found: impl FnMut(usize, [F; 2])) -> F {
+    fn walk(&self, chord: F, mut found: impl FnMut(usize, [F; 2])) -> F {
         let mut places = self.places();
         let Some((mut before, _, mut begin)) = places.next() else { return F::zero() };
         found(0, begin);

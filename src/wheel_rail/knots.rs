@@ -58,9 +58,7 @@ pub(super) struct Knots<'a, F> {
 /// Single points that there is room for.
 pub(super) const SINGLE: usize = 2 * CAPACITY;
 
-impl<F: Float> Points for Knots<'_, F> {
-    type Number = F;
-
+impl<F: Float> Points<F> for Knots<'_, F> {
     fn count(&self) -> usize {
         self.count
     }

@@ -4,11 +4,11 @@
 //!    profile. Points are not assumed to ascend along it.
 //! 2. [Knots] are the points in ascending order of this length, averaged where they are crowded or
 //!    scatter, and smoothed where this is asked for.
-//! 3. A [curve](Interpolant) leads through the knots, cubic between them.
+//! 3. A [curve](Points) leads through the knots, cubic between them.
 //! 4. The prepared points are points of the curve at equal chords.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::curve::{Chords, Interpolant, distance};
+use super::curve::{Chords, Points, distance};
 use super::knots::{Knots, SINGLE};
 use super::plausibility::ROUGH_AND_COARSE;
 use super::spine::Polyline;
@@ -104,12 +104,12 @@ impl<F: Float> Surface<F> {
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
         if !is_tried && smoothing <= F::zero() && y.len() + 2 <= SINGLE {
             knots.collect_points(false, &line, radius, y, z);
-            chords = Interpolant(&knots).equal_chords(wanted, most);
+            chords = knots.equal_chords(wanted, most);
         }
         if chords.are_equal {
             // (the knots stand where the points go)
             line.count = 0;
-            Interpolant(&knots).walk(chords.length, |k, point| {
+            knots.walk(chords.length, |k, point| {
                 line.count = line.count.min(k);
                 line.push(F::zero(), point);
             });
@@ -121,14 +121,14 @@ impl<F: Float> Surface<F> {
             }
             for _ in 0..ATTEMPTS {
                 knots.smooth(smoothing, &mut line);
-                chords = Interpolant(&line).equal_chords(wanted, most);
+                chords = line.equal_chords(wanted, most);
                 if chords.are_equal {
                     break;
                 }
                 smoothing = wanted.times(2.0).max(smoothing.times(1.5));
             }
             let put = |k, point| self.put(chords.count, is_reversed, k, point);
-            Interpolant(&line).walk(chords.length, put);
+            line.walk(chords.length, put);
         }
         self.step = chords.length;
         self.count = chords.count as u32 + 1;

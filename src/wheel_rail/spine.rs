@@ -35,9 +35,7 @@ pub(super) struct NearestPoint<F> {
     squared_distance: F,
 }
 
-impl<F: Float> Points for Polyline<F> {
-    type Number = F;
-
+impl<F: Float> Points<F> for Polyline<F> {
     fn count(&self) -> usize {
         self.count
     }
