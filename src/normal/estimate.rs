@@ -11,7 +11,7 @@
 //!
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
-use crate::normal::cell::{Cell, Cells};
+use crate::normal::cell::Cells;
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{layout, lean};
 use crate::normal::smooth::SmoothedProfile;
@@ -34,6 +34,9 @@ pub(super) struct Estimate<F, const N: usize> {
     fours: Vec<FourEdges<F, N>, FOURS>,
     breadth: Dual<F, N>,
 }
+
+/// The place of an edge, and what the load per width grows by there.
+type Edge<F, const N: usize> = (Dual<F, N>, Dual<F, N>);
 
 /// Four edges of places side by side.
 #[derive(Clone, Debug)]
@@ -85,15 +88,25 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         let (zero, places) = (Dual::zero(), cells.list.as_slice());
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<Dual<F, N>, EDGES> = Vec::new();
-        let (mut edges, mut growth) = (Vec::new(), Vec::new());
+        let mut edges: Vec<Edge<F, N>, EDGES> = Vec::new();
         for place in places {
             let q = (level - curve.at(place.at)).max(zero);
-            add_load(&mut edges, &mut growth, place, q);
+            let half = place.width.times(0.5);
+            let (lower, upper) = (place.y - half, place.y + half);
+            let close = half.value.times(1e-4);
+            // (neighbours share an edge)
+            match edges.last_mut() {
+                Some((edge, growth)) if (edge.value - lower.value).abs() <= close => *growth += q,
+                _ => {
+                    let _ = edges.push((lower, q));
+                }
+            }
+            let _ = edges.push((upper, -q));
             load += q * place.width;
             work += q * place.width * (approach - level + q);
             let _ = depths.push(q);
         }
-        self.keep(&edges, &growth);
+        self.keep(&edges);
         let loads = places.iter().zip(&depths).map(|(place, q)| [place.at, *q * place.width]);
         self.breadth = (radius(&mut { loads }) * approach).times(1.1).sqrt().times(BREADTH);
         let energy = places.iter().zip(&depths).fold(zero, |sum, (place, q)| {
@@ -102,15 +115,16 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         });
         let size = work / energy.shift(F::TINY);
         self.load = load * size;
-        growth.iter_mut().for_each(|own| *own = *own * size);
-        self.keep(&edges, &growth);
+        edges.iter_mut().for_each(|(_, growth)| *growth = *growth * size);
+        self.keep(&edges);
     }
 
-    /// Keeps edges and growth, four side by side.
-    fn keep(&mut self, edges: &[Dual<F, N>], growth: &[Dual<F, N>]) {
+    /// Keeps edges, four side by side.
+    fn keep(&mut self, edges: &[Edge<F, N>]) {
         self.fours.clear();
-        for (edges, growth) in edges.chunks(4).zip(growth.chunks(4)) {
-            let (places, growth) = (side_by_side(edges), side_by_side(growth));
+        for four in edges.chunks(4) {
+            let places = side_by_side(four, |(place, _)| *place);
+            let growth = side_by_side(four, |(_, growth)| *growth);
             let _ = self.fours.push(FourEdges { places, growth });
         }
     }
@@ -173,30 +187,12 @@ fn place_loads<F: Float, const N: usize>(
     layout(&zones, COUNT, cells);
 }
 
-/// Adds the load per width of a place. Neighbours share an edge.
-fn add_load<F: Float, const N: usize>(
-    edges: &mut Vec<Dual<F, N>, EDGES>,
-    growth: &mut Vec<Dual<F, N>, EDGES>,
-    place: &Cell<F, N>,
-    density: Dual<F, N>,
-) {
-    let half = place.width.times(0.5);
-    let (lower, upper) = (place.y - half, place.y + half);
-    let shared = |edge: &Dual<F, N>| (edge.value - lower.value).abs() <= half.value.times(1e-4);
-    match growth.last_mut() {
-        Some(growth) if edges.last().is_some_and(shared) => *growth += density,
-        _ => {
-            let _ = edges.push(lower);
-            let _ = growth.push(density);
-        }
-    }
-    let _ = edges.push(upper);
-    let _ = growth.push(-density);
-}
-
-/// Up to four numbers side by side.
-fn side_by_side<F: Float, const N: usize>(numbers: &[Dual<F, N>]) -> Dual<[F; 4], N> {
-    let number = |k: usize| numbers.get(k).copied().unwrap_or(Dual::zero());
+/// Numbers of up to four edges side by side.
+fn side_by_side<F: Float, const N: usize>(
+    edges: &[Edge<F, N>],
+    number: impl Fn(&Edge<F, N>) -> Dual<F, N>,
+) -> Dual<[F; 4], N> {
+    let number = |k: usize| edges.get(k).map_or(Dual::zero(), &number);
     let four = |of: &dyn Fn(Dual<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));
     Dual {
         value: four(&|own| own.value),
