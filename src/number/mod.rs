@@ -171,7 +171,7 @@ pub(crate) fn add_at<T: Arithmetic>(list: &mut [T], k: usize, term: T) {
 /// Successive items of a list.
 #[inline(always)]
 pub(crate) fn pairs<T>(list: &[T]) -> impl ExactSizeIterator<Item = (&T, &T)> + Clone {
-    list.iter().zip(list.iter().skip(1))
+    list.iter().zip(list.get(1..).unwrap_or(&[]))
 }
 
 /// Whether each number is larger than the one before.
