@@ -22,7 +22,8 @@ pub use crate::normal::cell::CELLS;
 pub(crate) use crate::normal::cell::{Cell, Cells};
 use crate::normal::equations::Equations;
 use crate::normal::influence::{Curvature, Deflection, StripEdge};
-use crate::number::{Arithmetic, Dual, Float, Number, Strips, add, put, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Arithmetic, Dual, Float, Number, Strips, add, set_at};
 use core::f64::consts::FRAC_PI_2;
 use core::marker::PhantomData;
 use heapless::Vec;
@@ -301,7 +302,7 @@ impl<F: Float, const N: usize> CellEdges<F, N> {
                 let relative = sign * moved * inverse - P::all(growth);
                 let slope = sign * slope * relative;
                 for (k, slopes) in slopes.iter_mut().enumerate() {
-                    put(slopes, d, slope.lane(k));
+                    set_at(slopes, d, slope.lane(k));
                 }
             }
         }

@@ -16,7 +16,7 @@ pub(crate) struct Overlap<F> {
 }
 
 impl<F: Float, const N: usize> SmoothedProfile<F, N> {
-    /// Hands every zone of overlap to `take`, in ascending order, made of what `number` makes.
+    /// Hands every zone of overlap to `take`, in ascending order, in the numbers of `number`.
     pub(crate) fn overlaps(
         &self,
         number: impl Fn(Dual<F, N>) -> F,

@@ -4,7 +4,8 @@
 //! Rows are padded with zeros to fours, which fill a register.
 
 use crate::normal::cell::CELLS;
-use crate::number::{Dual, Float, add_at, put, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Dual, Float, add_at, set_at};
 use core::ops::Range;
 use heapless::Vec;
 
@@ -45,9 +46,9 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     #[inline(always)]
     pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = Dual<F, N>>) {
         for (row, entry) in self.rows.iter_mut().zip(entries) {
-            put(&mut row.influence, j, entry.value);
+            set_at(&mut row.influence, j, entry.value);
             for (own, slope) in row.slopes.iter_mut().zip(entry.gradient) {
-                put(own, j, slope);
+                set_at(own, j, slope);
             }
         }
     }
@@ -158,7 +159,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
                         *own -= factor * *above;
                     }
                 }
-                put(factors, k, factor);
+                set_at(factors, k, factor);
             }
         }
     }
@@ -171,7 +172,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
         for &k in touching {
             let (Some(row), Some(own)) = (self.rows.get(k), side.get(k)) else { return };
             let own = *own - product(&row.factors, &half, 0..k / 4 + 1);
-            put(&mut half, k, own);
+            set_at(&mut half, k, own);
         }
         *side = [F::zero(); CELLS];
         for &k in touching.iter().rev() {

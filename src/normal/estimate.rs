@@ -15,7 +15,8 @@ use crate::normal::cell::Cells;
 use crate::normal::density::{ZONES, Zones};
 use crate::normal::layout::{layout, lean};
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Arithmetic, Dual, Float, Number, Strips, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Arithmetic, Dual, Float, Number, Strips};
 use heapless::Vec;
 
 /// Share of the approach by which shifted undeformed bodies overlap about where they touch.

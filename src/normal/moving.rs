@@ -4,7 +4,8 @@ use crate::normal::parabola::{STEPS, near_points, with_ridge};
 use crate::normal::profile::Profile;
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::normal::smooth::{SmoothedProfile, low_level};
-use crate::number::{Arithmetic, Dual, Float, add_at, at, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Arithmetic, Dual, Float, add_at, at};
 use core::cell::Cell;
 
 /// A number with its derivatives.

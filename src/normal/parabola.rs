@@ -4,7 +4,8 @@
 //! times the length that it stands for.
 
 use crate::normal::profile::Profile;
-use crate::number::{Arithmetic, Float, Strips, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Arithmetic, Float, Strips};
 use crate::numerics::parabola::NormalEquations;
 use crate::numerics::smooth_step;
 use core::ops::Range;
@@ -92,7 +93,7 @@ pub(super) fn near_points<F: Float, T: Arithmetic<Value = F>>(
     }
 }
 
-/// Points of a profile near a place `y`, with `|x| < 1` for the distance `x` from it times `inverse`.
+/// Points of a profile near a place `y`: `|x| < 1` for their distance `x` from it times `inverse`.
 struct Near<'a, F> {
     profile: &'a Profile<'a, F>,
     y: F,

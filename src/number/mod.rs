@@ -63,7 +63,6 @@ mod rows;
 pub(crate) mod tables;
 mod traits;
 
-pub(crate) use self::avx::with_avx;
 pub use self::dual::Dual;
 pub(crate) use self::traits::Stored;
 pub use self::traits::{Arithmetic, Float, InRegisters, Number, Pair, Real, Strips};
@@ -154,7 +153,7 @@ pub(crate) fn between<F: Float, const N: usize>(mut from: [F; N], to: [F; N], sh
 
 /// Replaces a number of a list; past its end there is none.
 #[inline(always)]
-pub(crate) fn put<F>(list: &mut [F], k: usize, value: F) {
+pub(crate) fn set_at<F>(list: &mut [F], k: usize, value: F) {
     if let Some(place) = list.get_mut(k) {
         *place = value;
     }

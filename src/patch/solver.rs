@@ -270,8 +270,8 @@ impl<F: Float> Problem<'_, F> {
         PatchSums { forces, power, adhesion }
     }
 
-    /// Forces with the derivatives with respect to the creepages, all others zero, and the intermediate
-    /// results for other derivatives: those by the layer, and by a factor of the strips' own creepages.
+    /// Forces with the derivatives with respect to the creepages, all others zero; and those with
+    /// respect to the layer, and to a factor of the strips' own creepages.
     pub fn with_slopes(&self) -> Result<(WithSlopes<F>, BesidesSlopes<F>), Error> {
         let Self { view: patch, creepage, model, behind } = *self;
         let sums = |by: By| self.sums(&PatchSlip::with_slopes(creepage, behind, by), |_, _| ());

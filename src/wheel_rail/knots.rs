@@ -4,7 +4,7 @@
 use super::curve::{Points, distance};
 use super::spine::{CAPACITY, Polyline};
 use super::surface::{CurvePoint, Surface};
-use crate::number::{Float, add_at, between, put};
+use crate::number::{Float, add_at, between, set_at};
 use crate::numerics::parabola::NormalEquations;
 
 /// Cells of points that are averaged, where there are too many: with two ends they have room.
@@ -134,7 +134,7 @@ impl<'a, F: Float> Knots<'a, F> {
 
     #[inline(always)]
     fn set(&mut self, k: usize, knot: PointAverage<F>) {
-        put(&mut self.lengths, k, knot.length);
+        set_at(&mut self.lengths, k, knot.length);
         let [y, z] = knot.point;
         if self.is_weighted {
             self.store.set_point(k, CurvePoint { y, z, cosine: knot.weight, sine: knot.spread });

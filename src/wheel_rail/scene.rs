@@ -138,7 +138,7 @@ impl<F: Float> Scene<'_, F> {
         Ok(with_warning(found, memory))
     }
 
-    /// Derivatives by the place of a roller's axis, central differences; zero for a straight rail.
+    /// Central differences with respect to the place of a roller's axis; zero for a straight rail.
     pub(crate) fn by_rail_ahead(
         &self,
         position: &Position<F>,

@@ -2,7 +2,7 @@
 //! that distances have continuous slopes.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use crate::number::{Arithmetic, Float, Strips, are_finite, put};
+use crate::number::{Arithmetic, Float, Strips, are_finite, set_at};
 use crate::numerics::hermite::{Along, Cubic};
 use crate::status::Error;
 
@@ -41,7 +41,7 @@ pub(crate) struct CurvePoint<F> {
 }
 
 impl<F: Float> Surface<F> {
-    /// Derivatives by the length from five points, exact to degree four; from three at the ends.
+    /// Directions from five points, exact for polynomials of degree four; from three at the ends.
     pub(super) fn directions(&mut self) {
         let count = self.count as usize;
         for (list, slopes) in [(&self.y, &mut self.cosine), (&self.z, &mut self.sine)] {
@@ -88,7 +88,7 @@ impl<F: Float> Surface<F> {
         let Self { y, z, cosine, sine, .. } = self;
         let lists = [y, z, cosine, sine].into_iter();
         for (list, value) in lists.zip([place.y, place.z, place.cosine, place.sine]) {
-            put(list, k, value);
+            set_at(list, k, value);
         }
     }
 

@@ -9,7 +9,8 @@ use super::line_of_contact::Wheel;
 use super::surface::{CurvePoint, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
-use crate::number::{Float, Strips, are_finite, put, with_avx};
+use crate::number::avx::with_avx;
+use crate::number::{Float, Strips, are_finite, set_at};
 use crate::status::Error;
 
 /// Default of the distance above which points are left out \[m\].
@@ -70,7 +71,7 @@ impl<F: Float> Gap<F> {
         let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
         let lists = [along, distance, x, y, z, angle, rolling_radius];
         for (list, value) in lists.into_iter().zip(point) {
-            put(list, k, *value);
+            set_at(list, k, *value);
         }
     }
 }
