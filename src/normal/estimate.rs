@@ -37,7 +37,7 @@ pub(super) struct Estimate<F, const N: usize> {
 }
 
 /// The place of an edge, and what the load per width grows by there.
-type Edge<F, const N: usize> = (Dual<F, N>, Dual<F, N>);
+type LoadEdge<F, const N: usize> = (Dual<F, N>, Dual<F, N>);
 
 /// Four edges of places side by side.
 #[derive(Clone, Debug)]
@@ -89,7 +89,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         let (zero, places) = (Dual::zero(), cells.list.as_slice());
         let (mut work, mut load) = (zero, zero);
         let mut depths: Vec<Dual<F, N>, EDGES> = Vec::new();
-        let mut edges: Vec<Edge<F, N>, EDGES> = Vec::new();
+        let mut edges: Vec<LoadEdge<F, N>, EDGES> = Vec::new();
         for place in places {
             let q = (level - curve.at(place.at)).max(zero);
             let half = place.width.times(0.5);
@@ -121,7 +121,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 
     /// Keeps edges, four side by side.
-    fn keep(&mut self, edges: &[Edge<F, N>]) {
+    fn keep(&mut self, edges: &[LoadEdge<F, N>]) {
         self.fours.clear();
         for four in edges.chunks(4) {
             let places = side_by_side(four, |(place, _)| *place);
@@ -190,8 +190,8 @@ fn place_loads<F: Float, const N: usize>(
 
 /// Numbers of up to four edges side by side.
 fn side_by_side<F: Float, const N: usize>(
-    edges: &[Edge<F, N>],
-    number: impl Fn(&Edge<F, N>) -> Dual<F, N>,
+    edges: &[LoadEdge<F, N>],
+    number: impl Fn(&LoadEdge<F, N>) -> Dual<F, N>,
 ) -> Dual<[F; 4], N> {
     let number = |k: usize| edges.get(k).map_or(Dual::zero(), &number);
     let four = |of: &dyn Fn(Dual<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));
