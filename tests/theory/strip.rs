@@ -289,19 +289,3 @@ fn sliding_rules_join_or_jump_as_stated() {
     }
     assert!(jumps > 1_000);
 }
-
-/// Directions of Section 6, by hand; pure spin slides along x against the spin.
-#[test]
-fn sliding_directions_by_hand() {
-    let direction = |c: f64, x: f64, e, p, rule| match Strip::solve(c, x, e, p, 0.25, rule).regime {
-        Regime::Sliding { direction_x, direction_y } => (direction_x, direction_y),
-        regime => panic!("{regime:?}"),
-    };
-    // (0.75 · 4, 4)/5
-    let (x, y) = direction(0.5, 4.0, 4.0, 0.5, SlidingRule::RigidSlip);
-    assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15);
-    // (3, 3.75 + 0.5 · 0.5)/5
-    let (x, y) = direction(0.5, 3.0, 3.75, 0.5, SlidingRule::Continuous);
-    assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15);
-    assert_eq!(direction(0.1, -2.0, 0.0, 0.5, SlidingRule::RigidSlip), (-1.0, 0.0));
-}
