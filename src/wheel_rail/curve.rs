@@ -36,7 +36,7 @@ pub(super) trait Points<F: Float> {
     fn get(&self, k: usize) -> Option<(F, [F; 2])>;
 
     /// A point of the curve by its length, which lies between a point and the next or before.
-    fn at(&self, mut k: usize, length: F) -> [F; 2] {
+    fn point_at(&self, mut k: usize, length: F) -> [F; 2] {
         let get = |k: usize| self.get(k);
         while k > 0 && get(k).is_some_and(|(from, _)| from > length) {
             k -= 1;
@@ -65,7 +65,7 @@ pub(super) trait Points<F: Float> {
     }
 
     /// Places of the curve: length, number of the point before, place.
-    fn places(&self) -> impl Iterator<Item = (F, usize, [F; 2])> {
+    fn places_along(&self) -> impl Iterator<Item = (F, usize, [F; 2])> {
         let end = |k: usize| self.get(k).map_or(F::zero(), |(length, _)| length);
         let count = self.count();
         let (from, to) = (end(0), end(count.saturating_sub(1)));
@@ -76,13 +76,13 @@ pub(super) trait Points<F: Float> {
             while k + 2 < count && self.get(k + 1).is_some_and(|(next, _)| next <= length) {
                 k += 1;
             }
-            (length, k, self.at(k, length))
+            (length, k, self.point_at(k, length))
         })
     }
 
     fn curve_length(&self) -> F {
         let mut last = None;
-        self.places().fold(F::zero(), |sum, (_, _, place)| {
+        self.places_along().fold(F::zero(), |sum, (_, _, place)| {
             sum + last.replace(place).map_or(F::zero(), |last| distance(last, place))
         })
     }
@@ -90,12 +90,12 @@ pub(super) trait Points<F: Float> {
     /// At most so many equal chords, of the requested length or a little shorter.
     fn equal_chords(&self, wanted: F, most: i32) -> Chords<F> {
         let wanted = wanted.min(self.curve_length().times(1.0 / f64::from(FEWEST)));
-        let chords = self.walk(wanted, |_, _| ());
+        let chords = self.walk_in_chords(wanted, |_, _| ());
         let count = chords.plus(0.5).whole().clamp(FEWEST, most);
         let whole = F::widened(count as f32);
         let (mut length, mut chords) = (wanted * (chords / whole), whole);
         for _ in 0..ROUNDS_OF_ALL {
-            chords = self.walk(length, |_, _| ());
+            chords = self.walk_in_chords(length, |_, _| ());
             length = length * (chords / whole);
         }
         let are_equal = (chords - whole).abs() < F::of(UNEQUAL);
@@ -104,8 +104,8 @@ pub(super) trait Points<F: Float> {
 
     /// Goes along the curve in chords of one length, and returns how many there are, the last one
     /// in part. Passes on where they begin and where the curve ends, with the number of the chord.
-    fn walk(&self, chord: F, mut found: impl FnMut(usize, [F; 2])) -> F {
-        let mut places = self.places();
+    fn walk_in_chords(&self, chord: F, mut found: impl FnMut(usize, [F; 2])) -> F {
+        let mut places = self.places_along();
         let Some((mut before, _, mut begin)) = places.next() else { return F::zero() };
         found(0, begin);
         let (mut count, mut end, mut gone) = (0, begin, F::zero());
@@ -119,7 +119,7 @@ pub(super) trait Points<F: Float> {
                     let (from, gone) = low;
                     let share = (chord - gone) / (beyond - gone).max(F::TINY);
                     let middle = from + (high - from) * share.clamped(F::zero(), F::one());
-                    last = self.at(k, middle);
+                    last = self.point_at(k, middle);
                     let reached = distance(begin, last);
                     if reached < chord {
                         low = (middle, reached);

@@ -109,7 +109,7 @@ impl<F: Float> Surface<F> {
         if chords.are_equal {
             // (the knots stand where the points go)
             line.count = 0;
-            knots.walk(chords.length, |k, point| {
+            knots.walk_in_chords(chords.length, |k, point| {
                 line.count = line.count.min(k);
                 line.push(F::zero(), point);
             });
@@ -128,7 +128,7 @@ impl<F: Float> Surface<F> {
                 smoothing = wanted.times(2.0).max(smoothing.times(1.5));
             }
             let put = |k, point| self.put(chords.count, is_reversed, k, point);
-            line.walk(chords.length, put);
+            line.walk_in_chords(chords.length, put);
         }
         self.step = chords.length;
         self.count = chords.count as u32 + 1;
