@@ -36,7 +36,7 @@ use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real, rows_are_finite};
+use crate::number::{Float, Real, few_are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -111,7 +111,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::Model)
     );
-    Error::Overflow.unless(rows_are_finite(&slopes.derivatives.entries()))?;
+    Error::Overflow.unless(few_are_finite(&slopes.derivatives.entries()))?;
     Ok((solution, slopes))
 }
 
@@ -341,9 +341,11 @@ fn scaled<F: Real>(vector: [F; 3], factor: F) -> [F; 3] {
 }
 
 impl<F: Float> Derivatives<F> {
-    /// All rows.
-    pub(crate) fn entries(&self) -> [[F; 3]; 6] {
-        let Self { jacobian: [x, y, z], normal_force, load_through_hertz, friction } = *self;
-        [x, y, z, normal_force, load_through_hertz, friction]
+    /// All derivatives in one array, whose test for infinite numbers takes vectors.
+    pub(crate) fn entries(&self) -> [F; 18] {
+        let Self { jacobian: [[a, b, c], [d, e, f], [g, h, i]], .. } = *self;
+        let Self { normal_force, load_through_hertz, friction, .. } = *self;
+        let [[j, k, l], [m, n, o], [p, q, r]] = [normal_force, load_through_hertz, friction];
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r]
     }
 }

@@ -6,7 +6,7 @@ use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{LayerSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
-use crate::number::{Float, few_are_finite, rows_are_finite};
+use crate::number::{Float, few_are_finite};
 use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
@@ -248,7 +248,7 @@ impl<F: Float> InMotion<'_, F> {
         let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
         let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
-        let fit = rows_are_finite(&derivatives.entries()) && rows_are_finite(&law.entries());
+        let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
         Error::Overflow.unless(fit)?;
         Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
     }
@@ -289,9 +289,11 @@ pub(crate) fn without_law<F: Float>(
 }
 
 impl<F: Float> LawDerivatives<F> {
-    /// All rows.
-    pub(crate) fn entries(&self) -> [[F; 3]; 6] {
-        let Self { ratio, decay, rolling_speed, slope_factor, slide_factor, layer } = *self;
-        [ratio, decay, rolling_speed, slope_factor, slide_factor, layer]
+    /// All derivatives in one array.
+    pub(crate) fn entries(&self) -> [F; 18] {
+        let Self { ratio: [a, b, c], decay: [d, e, f], .. } = *self;
+        let Self { rolling_speed: [g, h, i], slope_factor: [j, k, l], .. } = *self;
+        let Self { slide_factor: [m, n, o], layer: [p, q, r], .. } = *self;
+        [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q, r]
     }
 }

@@ -201,7 +201,7 @@ impl<F: Float> ThroughLayer<'_, F> {
         let none = WithSlopes::default();
         let found = by_model!(self.options.model, F, differentiate_in(self, frame, ordinary), none);
         let (_, slopes, of_layer) = &found;
-        let fit = are_finite(slopes.derivatives.entries().as_flattened())
+        let fit = are_finite(&slopes.derivatives.entries())
             && are_finite(of_layer.forces.as_flattened())
             && are_finite(&of_layer.power);
         Error::Overflow.unless(fit).map(|()| found)

@@ -119,12 +119,6 @@ pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }
 
-/// The same of rows of three.
-#[inline]
-pub(crate) fn rows_are_finite<F: Float, const N: usize>(rows: &[[F; 3]; N]) -> bool {
-    rows.iter().fold(true, |finite, row| finite & few_are_finite(row))
-}
-
 /// Count from which eight numbers are tested at once.
 const MANY: usize = 32;
 

@@ -280,7 +280,7 @@ pub fn differentiate_patch<F: Float>(
     let law = SlipFriction { friction: mean, ..*given };
     let (derivatives, law, by_mismatch) =
         at.through(&law, law.falls(), problem.behind.is_some().then_some(&of_layer));
-    let entries = derivatives.entries().into_iter().chain(law.entries()).flatten();
+    let entries = derivatives.entries().into_iter().chain(law.entries());
     if entries.into_iter().all(F::is_finite_number) {
         Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
     } else {
