@@ -207,7 +207,7 @@ impl<F: Real> Units<F> {
     }
 
     /// The creepages in the units of [`Parameters::normalised`].
-    #[inline(always)]
+    #[inline]
     pub(crate) fn normalised<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> [T; 3] {
         let Parameters { xi, eta, psi, .. } = *parameters;
         let [by_xi, by_psi] = self.back;

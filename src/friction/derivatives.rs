@@ -201,7 +201,7 @@ impl<F: Float> InMotion<'_, F> {
 
     /// The same for a contact with the friction of the law, and the warning of that friction. (Out
     /// of line where the stack is short: the search for it needs no room for these results.)
-    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(target_arch = "x86_64", inline)]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     fn at_friction(&self, contact: &Contact<F>, of: Warning) -> Result<Differentiated<F>, Error> {
         if let Some(through) = self.behind_layer() {

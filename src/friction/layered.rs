@@ -78,7 +78,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
     }
 
     /// Totals of the model at other creepages, of which it has three derivatives at most.
-    #[inline(always)]
+    #[inline]
     fn half_spaces<T: Number<Base = F>>(
         &self,
         frame: &ScaledContact<F>,
@@ -208,7 +208,7 @@ impl<F: Float> ThroughLayer<'_, F> {
     }
 }
 
-#[inline(always)]
+#[inline]
 fn solve_in<F: Float, M: Theory<F>>(
     through: &ThroughLayer<F>,
     contact: &Contact<F>,

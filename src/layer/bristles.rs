@@ -337,7 +337,7 @@ impl<B: Arithmetic<Value = B>> SlidingPoint<B> {
     }
 
     /// Where sliding begins, a way `w` behind a fixed place: `g = √(u (2 − u))`.
-    #[inline(always)]
+    #[inline]
     fn onset(u: B, x: B) -> Self {
         let square = (u * (B::constant(2.0) - u)).max(B::constant(SMALL));
         let bound = square.sqrt();

@@ -139,7 +139,7 @@ impl<F: Real> Layer<F> {
     }
 
     /// `k = L/(L + h/G₃)`
-    #[inline(always)]
+    #[inline]
     pub fn series<T: Number<Base = F>>(&self, layer: T) -> [T; 3] {
         T::each(&self.stiffness, |of| (layer.scale(*of) + T::one()).inverse())
     }
@@ -266,7 +266,7 @@ impl<F: Real> Layer<F> {
         })
     }
 
-    #[inline(always)]
+    #[inline]
     fn values_of<P: Strips<F>>(&self, rates: [F; 3]) -> [F; 4] {
         self.sums(rates, [P::zero(); 3]).map(Strips::total)
     }

@@ -48,7 +48,7 @@ pub(crate) struct Cell<F, const N: usize> {
 
 impl<F: Float, const N: usize> Cell<F, N> {
     /// A cell of which no more than its place is known.
-    #[inline(always)]
+    #[inline]
     pub(super) fn at_place([y, width, share]: [Dual<F, N>; 3], number: i32, zone: u32) -> Self {
         let zero = Dual::zero();
         Self {

@@ -242,7 +242,7 @@ struct CellEdges<F, const N: usize> {
 }
 
 /// A number with the first of its derivatives.
-#[inline(always)]
+#[inline]
 fn stored<F: Float, const N: usize, const STORED: usize>(x: Dual<F, N>) -> Dual<F, STORED> {
     Dual { value: x.value, gradient: core::array::from_fn(|k| x.derivative(k)) }
 }
@@ -361,7 +361,7 @@ impl<F: Float, const N: usize> Across<F, N> {
     }
 
     /// The value at the lower edge less that at the upper one, for each cell.
-    #[inline(always)]
+    #[inline]
     fn differences(&self) -> impl Iterator<Item = Dual<F, N>> {
         let Self { values, slopes, is_lower, count } = self;
         let pairs = values.windows(2).zip(slopes.windows(2)).zip(is_lower.iter().skip(1));

@@ -64,7 +64,7 @@ pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
 }
 
 /// The normal equations; two points alone, where `x²` does not vary, make a line.
-#[inline(always)]
+#[inline]
 pub(super) fn with_ridge<F: Float, T: Arithmetic<Value = F>>(mut m: [T; 5]) -> NormalEquations<T> {
     let ridge = T::from_base(F::EPSILON.sqrt().times(0.1));
     let [m0, _, m2, _, m4] = &mut m;
@@ -75,7 +75,7 @@ pub(super) fn with_ridge<F: Float, T: Arithmetic<Value = F>>(mut m: [T; 5]) -> N
 
 /// Height and slope of the curve: where hardly a point counts, by its share, it follows the points,
 /// whose height is `above`.
-#[inline(always)]
+#[inline]
 pub(super) fn near_points<F: Float, T: Arithmetic<Value = F>>(
     share: T,
     [height, slope]: [T; 2],
@@ -153,7 +153,7 @@ impl<F: Float> Near<'_, F> {
 }
 
 /// Four numbers of a list; where it ends the last one again.
-#[inline(always)]
+#[inline]
 fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
     match list.get(first..first + 4) {
         Some(four) => P::gather(|k| four.get(k).copied().unwrap_or(F::zero())),

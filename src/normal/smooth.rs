@@ -160,7 +160,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     }
 
     /// A curve without knots.
-    #[inline(always)]
+    #[inline]
     fn nothing(profile: &Profile<F>) -> Self {
         Self {
             knots: Vec::new(),
@@ -177,7 +177,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
     /// room. The steps are wider where much of the profile is low, by a level above a distance,
     /// so that they need not be doubled at once.
-    #[inline(always)]
+    #[inline]
     fn fill_all(
         &mut self,
         profile: &Profile<F>,

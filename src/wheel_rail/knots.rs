@@ -31,7 +31,7 @@ struct PointAverage<F> {
 
 impl<F: Float> PointAverage<F> {
     /// The average of the points of two averages.
-    #[inline(always)]
+    #[inline]
     fn with(self, other: Self) -> Self {
         let weight = self.weight + other.weight;
         let share = other.weight / weight;
@@ -63,7 +63,7 @@ impl<F: Float> Points<F> for Knots<'_, F> {
         self.count
     }
 
-    #[inline(always)]
+    #[inline]
     fn get(&self, k: usize) -> Option<(F, [F; 2])> {
         self.knot(k).map(|knot| (knot.length, knot.point))
     }
@@ -132,7 +132,7 @@ impl<'a, F: Float> Knots<'a, F> {
         Some(PointAverage { weight, length, point: [y, z], spread })
     }
 
-    #[inline(always)]
+    #[inline]
     fn set(&mut self, k: usize, knot: PointAverage<F>) {
         set_at(&mut self.lengths, k, knot.length);
         let [y, z] = knot.point;

@@ -41,7 +41,7 @@ impl<F: Float> Turn<F> {
     }
 
     /// Turns vectors side by side from the wheelset's axes to the track's: by yaw, then by roll.
-    #[inline(always)]
+    #[inline]
     pub fn to_track<P: Strips<F>>(self, vectors: [P; 3]) -> [P; 3] {
         self.turned(vectors, P::all)
     }
@@ -191,7 +191,7 @@ impl<F: Float> Wheel<F> {
     }
 
     /// The radius of curvature along `x` at points of the profile with these convex curvatures.
-    #[inline(always)]
+    #[inline]
     pub fn rolling_radius<P: Strips<F>>(&self, point: &CurvePoint<P>, curvature: P) -> P {
         let CurvePoint { z, cosine, sine, .. } = *point;
         let per_cosine = cosine.inverse();

@@ -121,7 +121,7 @@ impl<'a, F: Float> PointMoves<'a, F> {
 
     /// In a direction: derivatives of x, y, z, of the wheel's angle, and of the rolling radius;
     /// and those of length and distance.
-    #[inline(always)]
+    #[inline]
     fn in_one(&self, members: [F; 7], under: &Under<F>, direction: usize) -> ([F; 5], [F; 2]) {
         let [_, _, _, y, z, ..] = members;
         let (zero, side) = (F::zero(), self.side);

@@ -89,7 +89,7 @@ impl<F: Float> Roller<F> {
     /// Turns points into the plane of the rail's profile: their depths below the place one wheel
     /// radius under the centre, the depth of their normals, the curvature of the roller along the
     /// rail, and a number that is positive where the points are over the roller.
-    #[inline(always)]
+    #[inline]
     pub fn unrolled<P: Strips<F>>(&self, x: P, below: P, [n_x, n_z]: [P; 2], size: P) -> [P; 4] {
         let [radius, vertical, ahead] = [self.radius, self.vertical, self.ahead].map(P::all);
         // R − ρ = (R² − ρ²)/(R + ρ), without a difference of large numbers

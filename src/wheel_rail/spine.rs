@@ -40,7 +40,7 @@ impl<F: Float> Points<F> for Polyline<F> {
         self.count
     }
 
-    #[inline(always)]
+    #[inline]
     fn get(&self, k: usize) -> Option<(F, [F; 2])> {
         Some((*self.lengths.get(k).filter(|_| k < self.count)?, *self.points.get(k)?))
     }
@@ -167,7 +167,7 @@ impl<F: Float> Polyline<F> {
     }
 
     /// The foot of a point on a segment.
-    #[inline(always)]
+    #[inline]
     fn foot(&self, segment: usize, point: [F; 2]) -> Option<NearestPoint<F>> {
         let (from, [y, z]) = self.get(segment)?;
         let (to, [v, w]) = self.get(segment + 1)?;

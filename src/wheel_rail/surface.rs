@@ -73,7 +73,7 @@ impl<F: Float> Surface<F> {
     }
 
     /// A point by its number.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn point(&self, k: usize) -> Option<CurvePoint<F>> {
         Some(CurvePoint {
             y: *self.y.get(k)?,

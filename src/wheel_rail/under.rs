@@ -51,7 +51,7 @@ impl<'a, F: Float> Rail<'a, F> {
     /// Whether the rail is certainly out of reach of points side by side, and there is no need to
     /// look for what is under them: they are so near to a place outside the rail that the rail's
     /// points are still too far away (by the triangle's inequality).
-    #[inline(always)]
+    #[inline]
     pub fn is_far<P: Strips<F>>(&self, [y, z]: [P; 2]) -> bool {
         let ([from_y, from_z], square) = self.free;
         let moved = (y - P::all(from_y)).squared() + (z - P::all(from_z)).squared();
