@@ -230,7 +230,11 @@ for number, line in enumerate(lines, 1):
 for file, changes in edits.items():
     path = copy / "src" / file
     text = path.read_text()
-    for start, end, number, old, new, operates in sorted(changes, reverse=True):
+    grown = []
+    for start, end, number, old, new, operates in sorted(changes, key=lambda change: (-change[0], change[1])):
+        # (one inside of another has changed its end)
+        end += sum(growth for place, growth in grown if place < end)
+        old, before = text[start:end], len(text)
         if operates:
             # the operand on the left: back to the parenthesis, comma, sign of equality or brace
             # that opens the expression
@@ -250,6 +254,7 @@ for file, changes in edits.items():
             text = f"{text[:left]} (if crate::mutant({number}) {{ {head} {new} }} else {{ {head} {old} }}){text[end:]}"
         else:
             text = f"{text[:start]}(if crate::mutant({number}) {{ {new} }} else {{ {old} }}){text[end:]}"
+        grown.append((start, len(text) - before))
     path.write_text(text)
 lib = copy / "src/lib.rs"
 lib.write_text("#![allow(unused_parens)]\n" + lib.read_text() + switch)
