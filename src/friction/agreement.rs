@@ -26,6 +26,7 @@ const RISES: f64 = 0.4;
 const PLACES: usize = 24;
 const PARABOLAS: usize = 3;
 const ASIDE: f64 = 1e-2;
+const STEP: f64 = (1.0 - ASIDE) / PLACES as f64;
 
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
@@ -157,8 +158,8 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         }
         let is_before = |[_, error]: [F; 2]| error * from[1] <= F::zero();
         let [mut before, mut last] = [from; 2];
-        for i in 1..=PLACES {
-            let here = at(from[0] + way.times(i as f64 / PLACES as f64 * (1.0 - ASIDE)))?;
+        for place in 1..=PLACES {
+            let here = if place < PLACES { at(last[0] + way.times(STEP))? } else { end };
             if is_before(here) {
                 return self.solution_between(last, here);
             }
