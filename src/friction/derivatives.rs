@@ -186,17 +186,15 @@ pub fn differentiate_with_law<F: Float>(
 impl<F: Float> InMotion<'_, F> {
     /// [`differentiate_with_law`] of a contact, which was checked if there is a law.
     pub fn differentiate(&self, contact: &Contact<F>) -> Result<Differentiated<F>, Error> {
-        // (a library without laws has accepted none)
-        let law = self.law.filter(|_| SlipFriction::<F>::HAS_LAW);
         let under;
-        let (contact, warning) = match law {
+        let (contact, warning) = match self.law {
             None => (contact, Warning::None),
             Some(_) => {
                 under = self.with_friction(contact)?;
                 (&under.0, under.1)
             }
         };
-        Self { law, ..*self }.at_friction(contact, warning)
+        self.at_friction(contact, warning)
     }
 
     /// The same for a contact with the friction of the law, and the warning of that friction. (Out
@@ -237,7 +235,8 @@ impl<F: Float> InMotion<'_, F> {
     ) -> Result<Differentiated<F>, Error> {
         let solution = Solution { warning: solution.warning.worse(of_friction), ..*solution };
         let (friction, motion) = (contact.friction, *self.creepage);
-        let Some(law) = self.law.filter(|_| !contact.is_lost()) else {
+        let has_law = SlipFriction::<F>::HAS_LAW && !contact.is_lost();
+        let Some(law) = self.law.filter(|_| has_law) else {
             let Slopes { derivatives, by_mismatch, .. } = *slopes;
             let law = without_law(&derivatives, by_mismatch, &motion);
             Error::Overflow.unless(few_are_finite(&law.slope_factor))?;

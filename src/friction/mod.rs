@@ -161,7 +161,10 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// The checked contact with the stiffness of the law and the largest friction `μ` that agrees
     /// with the slip that it causes.
     pub fn with_friction(&self, contact: &Contact<F>) -> Result<(Contact<F>, Warning), Error> {
-        let Some(law) = self.law else { return Ok((*contact, Warning::None)) };
+        // (a library without laws has accepted none)
+        let Some(law) = self.law.filter(|_| SlipFriction::<F>::HAS_LAW) else {
+            return Ok((*contact, Warning::None));
+        };
         let contact = law.contact(contact);
         let nothing = contact.friction_bound() <= F::zero();
         if self.options.model == Model::Linear || !law.falls() || nothing {
@@ -176,8 +179,8 @@ impl<'a, F: Float> InMotion<'a, F> {
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
             let slopes = match &behind {
-                Some(through) => through.differentiate(&contact)?.1,
-                None => solve_with_slopes(&contact, self.creepage, self.options)?.1,
+                Some(through) if SlipFriction::<F>::HAS_LAYER => through.differentiate(&contact)?.1,
+                _ => solve_with_slopes(&contact, self.creepage, self.options)?.1,
             };
             let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(law.at(power / contact.normal_force))
@@ -191,6 +194,9 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// The model behind the layer of the law, if there is one.
     #[inline]
     pub fn behind_layer(&self) -> Option<ThroughLayer<'a, F>> {
+        if !SlipFriction::<F>::HAS_LAYER {
+            return None;
+        }
         let law = self.law.filter(|law| law.has_interface())?;
         Some(ThroughLayer { law, creepage: self.creepage, options: self.options })
     }
@@ -203,8 +209,8 @@ impl<'a, F: Float> InMotion<'a, F> {
         contact: &Contact<F>,
     ) -> Result<Solution<F>, Error> {
         match layer {
-            Some(through) => through.solve(contact),
-            None => forces::forces_of_contact(contact, self.creepage, self.options),
+            Some(through) if SlipFriction::<F>::HAS_LAYER => through.solve(contact),
+            _ => forces::forces_of_contact(contact, self.creepage, self.options),
         }
     }
 }
