@@ -3,6 +3,9 @@
 #[path = "../common/manchester.rs"]
 #[allow(dead_code)]
 mod manchester;
+#[path = "../common/random.rs"]
+#[allow(dead_code)]
+mod random;
 #[path = "../common/single.rs"]
 mod single;
 #[path = "../c/toolchain.rs"]

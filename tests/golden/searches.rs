@@ -5,6 +5,7 @@
 
 use crate::bits::{draw, hash_indentation, inputs, law, part, pressed};
 use crate::prelude::*;
+use crate::random::Random;
 use crate::single::{converted, converted_motion};
 use crate::wheel::{PAIRS, Stand, hash_surface};
 use kstrip::friction::solve_with_law;
@@ -318,6 +319,42 @@ fn hash_scans<F: Bits>(hash: &mut Hash) {
     }
 }
 
+/// Few points with noise, some nearly twice, some scanned again, one far away in a tenth of them.
+fn hash_few_points<F: Bits>(hash: &mut Hash) {
+    let mut random = Random::new(7);
+    for _ in 0..150 {
+        let mut u = || random.unit();
+        let count = 5 + (u() * 40.0) as usize;
+        let [width, curvature, noise] = [0.02 + 0.1 * u(), 3.0 * u(), 1e-3 * u() * u() * u()];
+        let twice = u();
+        let mut points = Vec::new();
+        for k in 0..count {
+            let y = (k as f64 / count as f64 - 0.5) * width + 0.3 * noise * (u() - 0.5);
+            let z = curvature * y * y + noise * (u() - 0.5);
+            points.push([y, z]);
+            if u() < twice * 0.5 {
+                points.push([y + 1e-4 * u() * u(), z + 1e-5 * u()]);
+            }
+            if u() < 0.02 {
+                let from = points.len().saturating_sub(1 + (u() * 6.0) as usize);
+                points.extend_from_within(from..);
+            }
+        }
+        if u() < 0.1 {
+            let k = (u() * points.len() as f64) as usize;
+            points[k][1] += 0.02 * u();
+        }
+        let step = if u() < 0.5 { 0.0 } else { 2e-4 + 2e-3 * u() };
+        let smoothing = if u() < 0.4 { 0.0 } else { 4e-3 * u() };
+        let [y, z] = [0, 1].map(|k| points.iter().map(|p| F::of(p[k])).collect::<Vec<_>>());
+        let mut surface = zeroed::<Surface<F>>();
+        let found = surface.prepare(&y, &z, F::of(step), F::of(smoothing));
+        if hash.status(found.map(|warning| ((), warning))).is_some() {
+            hash_surface(hash, &surface);
+        }
+    }
+}
+
 fn hashes<F: Bits>(precision: &str) -> String {
     let mut text = String::new();
     let mut part = |name: &str, add: fn(&mut Hash)| {
@@ -334,6 +371,7 @@ fn hashes<F: Bits>(precision: &str) -> String {
     part("wheels anywhere", hash_wheels::<F>);
     part("wheelsets in balance", hash_wheelsets::<F>);
     part("scans", hash_scans::<F>);
+    part("few points", hash_few_points::<F>);
     text
 }
 
