@@ -4,7 +4,6 @@
 #[allow(dead_code)]
 mod manchester;
 #[path = "../common/random.rs"]
-#[allow(dead_code)]
 mod random;
 #[path = "../common/single.rs"]
 mod single;
