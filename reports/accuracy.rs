@@ -335,7 +335,8 @@ impl Report {
             "largest difference f32 to f64",
         ]);
         for model in Model::ALL {
-            let counts = if has_strips(model) { &COUNTS[..] } else { &[StripCount::Sixteen] };
+            let counts =
+                if has_strips(model) { &StripCount::ALL[..] } else { &[StripCount::Sixteen] };
             for count in counts {
                 let options = options(model, *count);
                 let double = Errors::of_model::<f64>(&self.open, &options);

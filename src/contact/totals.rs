@@ -41,6 +41,10 @@ pub enum StripCount {
 }
 
 impl StripCount {
+    /// Every strip count.
+    pub const ALL: [Self; 5] =
+        [Self::Four, Self::Eight, Self::Sixteen, Self::ThirtyTwo, Self::SixtyFour];
+
     /// The strip count for a number; `None` if it is not one of these counts.
     #[must_use]
     pub const fn from_number(number: i32) -> Option<Self> {

@@ -77,14 +77,6 @@ pub const fn falling(
     SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
 }
 
-pub const COUNTS: [StripCount; 5] = [
-    StripCount::Four,
-    StripCount::Eight,
-    StripCount::Sixteen,
-    StripCount::ThirtyTwo,
-    StripCount::SixtyFour,
-];
-
 /// 16 strips, as any number for the totals of the theory of 1967
 /// (`limits::any_number_of_strips_has_the_same_totals`).
 pub const fn sixteen(model: Model) -> Options {

@@ -322,14 +322,6 @@ pub fn options(model: Model, strips: StripCount) -> Options {
     Options { model, strips }
 }
 
-pub const COUNTS: [StripCount; 5] = [
-    StripCount::Four,
-    StripCount::Eight,
-    StripCount::Sixteen,
-    StripCount::ThirtyTwo,
-    StripCount::SixtyFour,
-];
-
 /// The name of a model in reports.
 pub fn name(model: Model) -> &'static str {
     match model {

@@ -67,7 +67,7 @@ fn check_models(
     let mut worst = 0.0_f64;
     for n in 0..points {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let o = options(models[n % models.len()], COUNTS[n / models.len() % 5]);
+        let o = options(models[n % models.len()], StripCount::ALL[n / models.len() % 5]);
         let p = next(&mut random);
         let exact = slopes(&c, p, &o);
         // Size of each row, so that small entries are measured against what they stand beside
@@ -164,7 +164,7 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
     let points = 3_000;
     for n in 0..points {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let o = options(Model::ALL[n % 5], COUNTS[n / 5 % 5]);
+        let o = options(Model::ALL[n % 5], StripCount::ALL[n / 5 % 5]);
         let size = random.log_between(1e-3, 3.0);
         let p = [0; 3].map(|_| size * random.between(-1.0, 1.0));
         let m = theory::creepage(&c, p[0], p[1], p[2]);

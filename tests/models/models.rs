@@ -8,7 +8,11 @@ use rstest::rstest;
 
 /// STRIP with every count, and TOTAL.
 fn fitted() -> Vec<Options> {
-    COUNTS.map(|strips| options(Model::Strip, strips)).into_iter().chain([total()]).collect()
+    StripCount::ALL
+        .map(|strips| options(Model::Strip, strips))
+        .into_iter()
+        .chain([total()])
+        .collect()
 }
 
 /// Every model with a friction bound.
@@ -216,12 +220,12 @@ proptest! {
     fn strips_add_up((g, nu) in shapes(1.0), v in creepages(), count in 0..5_usize) {
         let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
         for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
-            let options = options(model, COUNTS[count]);
+            let options = options(model, StripCount::ALL[count]);
             let whole = solved(&contact, &motion, &options);
             let mut parts: Vec<StripResult<f64>> = Vec::new();
             let warning =
                 forces::strips(&contact, &motion, &options, &mut |s| parts.push(s)).unwrap();
-            prop_assert_eq!((warning, parts.len()), (whole.warning, COUNTS[count] as usize));
+            prop_assert_eq!((warning, parts.len()), (whole.warning, StripCount::ALL[count] as usize));
             let power = BOUND * UNIT * (v[0].abs() + v[1].abs() + 10.0 * v[2].abs());
             for (part, expected, scale) in [
                 ((|s| s.fx) as fn(&StripResult<f64>) -> f64, whole.fx, BOUND),

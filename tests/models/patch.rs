@@ -43,7 +43,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
     let mut random = Random::new(401);
     for i in 0..600 {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let count = COUNTS[1 + i % 4];
+        let count = StripCount::ALL[1 + i % 4];
         let p: [f64; 3] = std::array::from_fn(|_| random.sign() * random.log_between(1e-6, 4.0));
         let motion = creepage(&c, p[0], p[1], p[2]);
         let patch = ellipse(&c, count);
@@ -233,7 +233,7 @@ fn lobes_do_not_know_of_each_other() {
 /// Every rule of an ellipse is one lobe, however its strips are spaced.
 #[test]
 fn an_ellipse_is_one_lobe() {
-    for count in &COUNTS[1..] {
+    for count in &StripCount::ALL[1..] {
         for ratio in [1e-3, 0.1, 1.0, 10.0, 1e3] {
             let c = contact(ratio, 0.28);
             let patch = ellipse(&c, *count);

@@ -46,7 +46,7 @@ fn elliptic_strips_give_the_answer_of_the_ellipse() {
     let mut random = Random::new(421);
     for i in 0..250 {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let count = COUNTS[1 + i % 4];
+        let count = StripCount::ALL[1 + i % 4];
         let p: [f64; 3] = std::array::from_fn(|_| random.sign() * random.log_between(1e-3, 4.0));
         let m = theory::creepage(&c, p[0], p[1], p[2].clamp(-2.0, 2.0));
         let law = SlipFriction { friction: c.friction, ..any_law(&mut random) };

@@ -18,7 +18,7 @@ fn short_paths_join_the_long_one() {
     let hair = 1e-140;
     for n in 0..6_000 {
         let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
-        let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
+        let o = options(Model::ALL[n % 4], StripCount::ALL[n / 4 % 5]);
         let size = random.log_between(1e-3, 5.0);
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.0, 1.0));
         let m = theory::creepage(&c, size * xi, size * eta, size.min(0.9) * psi);
@@ -45,7 +45,7 @@ fn short_paths_join_in_single_precision() {
     for n in 0..2_000 {
         let wide = contact(random.log_between(0.2, 5.0), random.between(0.0, 0.5));
         let c = single(&wide);
-        let o = options(Model::ALL[n % 4], COUNTS[n / 4 % 5]);
+        let o = options(Model::ALL[n % 4], StripCount::ALL[n / 4 % 5]);
         let [xi, eta, psi] = [0; 3].map(|_| random.between(-1.5, 1.5));
         let m = theory::creepage(&wide, xi, eta, 0.6 * psi);
         let (x, y, s) = (m.longitudinal as f32, m.lateral as f32, m.spin as f32);

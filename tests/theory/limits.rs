@@ -89,7 +89,7 @@ fn any_number_of_strips_has_the_same_totals() {
             _ => creepage(&c, xi, eta, random.between(-2.0, 2.0)),
         };
         for kind in MODELS {
-            let [first, others @ ..] = COUNTS.map(|count| {
+            let [first, others @ ..] = StripCount::ALL.map(|count| {
                 let o = options(kind, count);
                 (solved(&c, &m, &o), forces::solve_jacobian(&c, &m, &o).unwrap())
             });

@@ -36,7 +36,7 @@ fn agrees_with_the_fitting_script() {
 
 #[test]
 fn rules_integrate_the_ellipse() {
-    for count in COUNTS {
+    for count in StripCount::ALL {
         let rule = Rule::<f64>::new(count);
         let sum = |f: fn([f64; 3]) -> f64| rule.places().map(f).sum::<f64>();
         let n = count as i32;
@@ -58,7 +58,7 @@ fn rules_integrate_the_ellipse() {
 fn slopes_at_rest_are_kalkers() {
     for g in [0.03, 0.1, 0.5, 1.0, 3.0, 10.0, 40.0] {
         for nu in [0.0, 0.28, 0.5] {
-            for count in COUNTS {
+            for count in StripCount::ALL {
                 let c = LinearCoefficients::at(g, nu);
                 let v = [0, 1, 2].map(|i| Dual::<f64, 3>::input(0.0, i));
                 let t = EllipseStrips::new(g, nu, &c, count).totals_of_strips(v);
@@ -168,7 +168,7 @@ fn strips_have_the_same_bits_one_by_one_and_side_by_side() {
             assert_ne!(own, before);
             before = own;
         };
-        for (k, count) in COUNTS.into_iter().enumerate() {
+        for (k, count) in StripCount::ALL.into_iter().enumerate() {
             for g in [0.2, 1.0, 4.0] {
                 let (ratio, nu) = (F::of(g), F::of(0.28));
                 let linear = LinearCoefficients::at(ratio, nu);
