@@ -33,12 +33,12 @@ impl<F: Real, const M: usize> Dual<F, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
-    #[inline]
+    #[inline(always)]
     fn chain(self, value: P, slope: P) -> Self {
         Self { value, gradient: self.gradient.map(|d| d * slope) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn combine(self, other: Self, value: P, by_self: P, by_other: P) -> Self {
         let mut gradient = self.gradient;
         for (own, other) in gradient.iter_mut().zip(other.gradient) {
@@ -48,7 +48,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     }
 
     /// `yes` where the test is positive, else `no`.
-    #[inline]
+    #[inline(always)]
     fn pick(test: P, yes: Self, no: Self) -> Self {
         let mut gradient = no.gradient;
         for (own, other) in gradient.iter_mut().zip(yes.gradient) {
@@ -84,7 +84,7 @@ sums!(Add add AddAssign add_assign Sub sub SubAssign sub_assign);
 
 impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.combine(other, self.value * other.value, other.value, self.value)
     }
@@ -92,7 +92,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let inverse = P::one() / other.value;
@@ -102,7 +102,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { value: -self.value, gradient: self.gradient.map(|d| -d) }
     }
@@ -146,16 +146,16 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
         let inverse = P::one() / self.value;
         self.chain(inverse, -(inverse * inverse))
     }
-    #[inline]
+    #[inline(always)]
     fn scale(self, factor: P) -> Self {
         self.chain(self.value * factor, factor)
     }
-    #[inline]
+    #[inline(always)]
     fn shift(mut self, term: P) -> Self {
         self.value += term;
         self
     }
-    #[inline]
+    #[inline(always)]
     fn squared(self) -> Self {
         self.chain(self.value * self.value, self.value + self.value)
     }
@@ -173,11 +173,11 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     fn abs(self) -> Self {
         Self::pick(-self.value, -self, self)
     }
-    #[inline]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         Self::pick(self.value - other.value, self, other)
     }
-    #[inline]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::pick(other.value - self.value, self, other)
     }
@@ -188,7 +188,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
 }
 
 impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
-    #[inline]
+    #[inline(always)]
     fn couple(first: Dual<F, M>, second: Dual<F, M>) -> Self {
         let mut gradient = [F::Pair::zero(); M];
         for (pair, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
@@ -196,7 +196,7 @@ impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
         }
         Self { value: F::Pair::couple(first.value, second.value), gradient }
     }
-    #[inline]
+    #[inline(always)]
     fn parts(self) -> (Dual<F, M>, Dual<F, M>) {
         let (first, second) = self.value.parts();
         let slopes = self.gradient.map(F::Pair::parts);
@@ -205,7 +205,7 @@ impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
             Dual { value: second, gradient: slopes.map(|slope| slope.1) },
         )
     }
-    #[inline]
+    #[inline(always)]
     fn both(x: Dual<F, M>) -> Self {
         Self { value: F::Pair::both(x.value), gradient: x.gradient.map(F::Pair::both) }
     }
@@ -233,7 +233,7 @@ impl<F: Real, const M: usize> Number for Dual<F, M> {
         }
     }
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline]
+    #[inline(always)]
     fn add_rows_of_duals<const C: usize, const R: usize>(
         sums: &mut [[F; 4]; C],
         inputs: &[Self; R],

@@ -114,12 +114,12 @@ impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for L
 
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
 impl<T: InRegisters, const M: usize, A: Copy + Debug + 'static> InRegisters for Lanes<T, M, A> {
-    #[inline]
+    #[inline(always)]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         let mut pairs = a.into_iter().zip(b);
         pairs.any(|(a, b)| T::any_exceeds(a.numbers(), b.numbers()))
     }
-    #[inline]
+    #[inline(always)]
     fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
         let mut all = a.into_iter().zip(low.into_iter().zip(high));
         all.all(|(a, (low, high))| T::all_between(a.numbers(), low.numbers(), high.numbers()))
@@ -175,7 +175,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
     fn atan_of_unit(self) -> Self {
         elementary::atan_of_unit(self)
     }
-    #[inline]
+    #[inline(always)]
     fn lies_between(self, low: Self, high: Self) -> bool {
         T::all_between(self.0, low.0, high.0)
     }

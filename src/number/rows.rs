@@ -235,7 +235,7 @@ pub(super) fn sums<const C: usize, const R: usize>(
 }
 
 /// What `Real::add_rows_beside` does.
-#[inline]
+#[inline(always)]
 pub(super) fn add_beside<const C: usize, const R: usize>(
     sums: &mut [[f32; 4]; C],
     inputs: &[[f32; 4]; R],
@@ -260,7 +260,7 @@ pub(super) fn add_beside<const C: usize, const R: usize>(
 }
 
 /// Numbers with three derivatives, each a structure of four numbers in the layout of C.
-#[inline]
+#[inline(always)]
 pub(super) fn beside<D, F, const N: usize>(numbers: &[D; N]) -> &[[F; 4]; N] {
     const { assert!(size_of::<D>() == 4 * size_of::<F>() && align_of::<D>() == align_of::<F>()) };
     // SAFETY: both have the same size, and nothing but the four numbers.
