@@ -18,7 +18,7 @@ use kstrip::status::Error;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use kstrip::wheel_rail::{BodyState, Position, Requested, Velocity, WheelPair};
 use nalgebra::{Matrix6, Vector6};
 
 /// From the middle of the wheelset to y = 0 of a wheel's profile, and from the middle of the track
@@ -186,8 +186,9 @@ impl Wheelset {
         let none = [0.0; 6];
         let mut by_position =
             WrenchByPosition { lateral: none, vertical: none, yaw: none, roll: none };
-        let wrench =
-            scene.solve(&position, &velocity, memory, Some(&mut slopes), Some(&mut by_position))?;
+        let requested =
+            Requested { by_velocity: Some(&mut slopes), by_position: Some(&mut by_position) };
+        let wrench = scene.differentiate(&BodyState { position, velocity }, memory, requested)?;
         load.force += transfer.transpose() * Vector6::from(wrench.members());
         let by_velocity = Matrix6::from_fn(|row, column| slopes.velocity[row][column]);
         load.by_velocity += transfer.transpose() * by_velocity * transfer;

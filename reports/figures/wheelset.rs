@@ -8,7 +8,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::options::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Position, Velocity};
+use kstrip::wheel_rail::{BodyState, Position, Velocity};
 use plotters::prelude::*;
 use std::path::Path;
 
@@ -39,7 +39,7 @@ pub fn draw(folder: &Path) -> Drawn {
         let position = Position { lateral: shift - OFFSET, ..Position::default() };
         let (vertical, _) = scene.height_for_load(&position, LOAD, None, &mut memory)?;
         let position = Position { vertical, ..position };
-        let wrench = scene.solve(&position, &velocity, &mut memory, None, None)?;
+        let wrench = scene.solve(&BodyState { position, velocity }, &mut memory)?;
         along.push((1e3 * shift, 1e-3 * wrench.force[0]));
         across.push((1e3 * shift, 1e-3 * wrench.force[1]));
     }

@@ -29,9 +29,11 @@ pub(super) use crate::status::{Error, Warning, kstrip_status};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
 pub(super) use crate::wheel_rail::scene::Workspace;
 pub(super) use crate::wheel_rail::surface::Surface;
-pub(super) use crate::wheel_rail::touch::{self, Gap};
+pub(super) use crate::wheel_rail::touch::{Gap, GapSearch};
 pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
-pub(super) use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+pub(super) use crate::wheel_rail::{
+    BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, Velocity, WheelPair,
+};
 pub(super) use crate::wheelset::forces::{
     WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
 };
@@ -123,6 +125,23 @@ pub(super) fn put<T>(place: Output<T>, value: T) {
     if let Some(place) = place {
         place.write(value);
     }
+}
+
+/// Runs a computation and writes the derivatives that are requested, if it has a result.
+#[inline]
+pub(super) fn with_requested<V: Default, P: Default, T>(
+    by_velocity: Output<V>,
+    by_position: Output<P>,
+    solve: impl FnOnce(Requested<V, P>) -> Result<T, Error>,
+) -> Result<T, Error> {
+    let (mut slopes, mut moved) = (V::default(), P::default());
+    let found = solve(Requested {
+        by_velocity: by_velocity.is_some().then_some(&mut slopes),
+        by_position: by_position.is_some().then_some(&mut moved),
+    })?;
+    put(by_velocity, slopes);
+    put(by_position, moved);
+    Ok(found)
 }
 
 /// The same for many numbers. On a microcontroller a copy of more than 64 bytes is a call.

@@ -6,8 +6,7 @@
 //! then by secants, always between a height with less than the requested force and one with more.
 
 use super::scene::{Scene, Workspace};
-use super::touch::lowered;
-use super::{Position, Velocity};
+use super::{BodyState, Position, Velocity};
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::status::{Error, Warning};
@@ -77,8 +76,7 @@ impl<F: Float> Scene<'_, F> {
         let mut here = touches + expected * per_normal;
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
         for tried in 0..HEIGHTS {
-            let at = Position { vertical: here, ..*position };
-            let found = self.support(&at, velocity, memory);
+            let found = self.support(&Position { vertical: here, ..*position }, velocity, memory);
             let next = match found {
                 Err(error @ (Error::ProfileEnd | Error::Overflow | Error::PatchSize)) => {
                     // (the wheel is too deep in the rail)
@@ -161,7 +159,8 @@ impl<F: Float> Scene<'_, F> {
     ) -> Result<[F; 2], Error> {
         let force = match velocity {
             Some(velocity) => {
-                let [_, _, vertical] = self.wrench(position, velocity, memory, None)?.force;
+                let state = BodyState { position: *position, velocity: *velocity };
+                let [_, _, vertical] = self.wrench(&state, memory, None)?.force;
                 Some(-vertical)
             }
             None => {
@@ -182,8 +181,7 @@ impl<F: Float> Scene<'_, F> {
     /// much it moves down for a unit of approach there.
     fn first_touch(&self, position: &Position<F>) -> Result<[F; 2], Error> {
         let right = position.mirrored(self.pair.left != 0);
-        let Self { rail, wheel, pair, .. } = *self;
-        let found = lowered(rail, wheel, pair, &right)?;
+        let found = self.search_at(&right)?.lowered();
         let [touches, cosine] = found.ok_or(Error::ProfileEnd)?;
         Ok([touches, F::one() / cosine.abs().max(F::of(0.1))])
     }

@@ -117,6 +117,25 @@ impl<F: Float> Velocity<F> {
     }
 }
 
+/// Where a body is, and how it moves: a wheel, or the centre of a wheelset.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BodyState<F> {
+    /// Where it is.
+    pub position: Position<F>,
+    /// How it moves.
+    pub velocity: Velocity<F>,
+}
+
+/// Derivatives that are requested, and where they go: those with respect to a [`Velocity`] and
+/// those with respect to a [`Position`].
+#[derive(Debug)]
+pub struct Requested<'a, V, P> {
+    /// With respect to velocity and friction.
+    pub by_velocity: Option<&'a mut V>,
+    /// With respect to position.
+    pub by_position: Option<&'a mut P>,
+}
+
 /// Materials and friction of a wheel and a rail, and options of the computation. Zero is the
 /// default of every member but wheel_radius and shear_modulus.
 #[repr(C)]

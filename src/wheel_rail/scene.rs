@@ -2,10 +2,10 @@
 
 use super::contacts::{self, WheelContact};
 use super::surface::Surface;
-use super::touch::{Gap, touch_of_pair};
+use super::touch::{Gap, GapSearch};
 use super::view;
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
-use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+use super::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, WheelPair};
 use crate::contact::totals::StripCount;
 use crate::number::Float;
 use crate::patch::StoredPatch;
@@ -60,22 +60,28 @@ pub struct Scene<'a, F> {
     pub law: Law<'a, F>,
 }
 
-impl<F: Float> Scene<'_, F> {
+impl<'a, F: Float> Scene<'a, F> {
+    /// The search for the gap at the position of a right wheel, or of the mirror image of a left
+    /// one, between the surfaces of a pair that was checked.
+    pub(crate) fn search_at(&self, right: &Position<F>) -> Result<GapSearch<'a, F>, Error> {
+        GapSearch::of_pair(self.rail, self.wheel, self.pair, right)
+    }
+
     /// Finds the contacts of a position.
     ///
     /// # Errors
-    /// Those of [`touch`](super::touch::touch) and [`contacts::from_gap`].
+    /// Those of [`GapSearch::gap`](super::touch::GapSearch::gap) and [`contacts::from_gap`].
     pub fn place(
         &self,
         position: &Position<F>,
         memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
-        let Self { rail, wheel, pair, strips, .. } = *self;
+        let Self { wheel, pair, strips, .. } = *self;
         let Workspace { gap, strips: whole, contacts, count, apart } = memory;
         pair.check()?;
         let right = position.mirrored(pair.left != 0);
         let reach = view::reach(wheel.step, pair.smoothing_length);
-        touch_of_pair(rail, wheel, pair, &right, reach, gap)?;
+        self.search_at(&right)?.gap(reach, gap)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
         (*count, *apart) = (found.written as u32, found.apart);
         Ok(found.warning)
@@ -83,15 +89,15 @@ impl<F: Float> Scene<'_, F> {
 
     pub(super) fn wrench(
         &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
+        state: &BodyState<F>,
         memory: &mut Workspace<F>,
-        derivatives: Option<&mut WrenchDerivatives<F>>,
+        by_velocity: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
-        self.place(position, memory)?;
+        self.place(&state.position, memory)?;
         let Workspace { strips, contacts, count, apart, .. } = memory;
         let found = contacts.get(..*count as usize).unwrap_or(&[]);
-        let wrench = wrench::of_contacts_in(strips, found, velocity, self.law, derivatives)?;
+        let velocity = &state.velocity;
+        let wrench = wrench::of_contacts_in(strips, found, velocity, self.law, by_velocity)?;
         Ok(Wrench { contacts: *apart, ..wrench })
     }
 
@@ -101,18 +107,29 @@ impl<F: Float> Scene<'_, F> {
     /// Those of [`Scene::place`] and [`wrench::of_contacts`].
     pub fn solve(
         &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
+        state: &BodyState<F>,
         memory: &mut Workspace<F>,
-        derivatives: Option<&mut WrenchDerivatives<F>>,
-        by_position: Option<&mut WrenchByPosition<F>>,
+    ) -> Result<Wrench<F>, Error> {
+        self.differentiate(state, memory, Requested { by_velocity: None, by_position: None })
+    }
+
+    /// [`Scene::solve`] with the derivatives that are requested.
+    ///
+    /// # Errors
+    /// Those of [`Scene::solve`].
+    pub fn differentiate(
+        &self,
+        state: &BodyState<F>,
+        memory: &mut Workspace<F>,
+        requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         let with_warning = |found: Wrench<F>, memory: &Workspace<F>| {
             let warning = found.warning.worse(self.plausibility(memory.found()));
             Wrench { warning, ..found }
         };
+        let Requested { by_velocity, by_position } = requested;
         let Some(slopes) = by_position else {
-            let found = self.wrench(position, velocity, memory, derivatives)?;
+            let found = self.wrench(state, memory, by_velocity)?;
             return Ok(with_warning(found, memory));
         };
         *slopes = WrenchByPosition::default();
@@ -121,18 +138,19 @@ impl<F: Float> Scene<'_, F> {
             let step = F::of(if is_single::<F>() { 15e-6 } else { 1e-7 });
             for (k, column) in slopes.columns().into_iter().enumerate() {
                 *column = differences(step, |step| {
-                    let mut moved = *position;
-                    moved.members_mut().into_iter().skip(k).take(1).for_each(|own| *own += step);
-                    self.wrench(&moved, velocity, memory, None)
+                    let mut moved = *state;
+                    let members = moved.position.members_mut();
+                    members.into_iter().skip(k).take(1).for_each(|own| *own += step);
+                    self.wrench(&moved, memory, None)
                 })?;
             }
         }
-        let found = self.wrench(position, velocity, memory, derivatives)?;
+        let found = self.wrench(state, memory, by_velocity)?;
         if is_straight && found.contacts > 0 {
-            self.differentiate(position, velocity, memory, &found, slopes)?;
+            self.add_slopes_by_position(state, memory, &found, slopes)?;
             if memory.count as usize == KSTRIP_CONTACTS_CAPACITY {
                 // (the last contact's memory was needed)
-                self.place(position, memory)?;
+                self.place(&state.position, memory)?;
             }
         }
         Ok(with_warning(found, memory))
@@ -141,8 +159,7 @@ impl<F: Float> Scene<'_, F> {
     /// Central differences with respect to the place of a roller's axis; zero for a straight rail.
     pub(crate) fn by_rail_ahead(
         &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
+        state: &BodyState<F>,
         memory: &mut Workspace<F>,
     ) -> Result<[F; 6], Error> {
         if self.pair.rail_radius <= F::zero() {
@@ -150,7 +167,7 @@ impl<F: Float> Scene<'_, F> {
         }
         differences(F::of(if is_single::<F>() { 1e-4 } else { 1e-5 }), |step| {
             let pair = WheelPair { rail_ahead: self.pair.rail_ahead + step, ..*self.pair };
-            Scene { pair: &pair, ..*self }.wrench(position, velocity, memory, None)
+            Scene { pair: &pair, ..*self }.wrench(state, memory, None)
         })
     }
 }

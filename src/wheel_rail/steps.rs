@@ -3,19 +3,21 @@
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::contacts::group_zones;
+use super::contacts::{WheelContact, group_zones};
 use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
 use super::moves::PointMoves;
 use super::scene::{Scene, Workspace, is_single};
-use super::view::{self, View};
+use super::view::View;
 use super::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
-use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity};
+use super::{BodyState, KSTRIP_CONTACTS_CAPACITY};
 use crate::normal::cells::{Cell, Cells};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
 use crate::normal::profile::{DIRECTIONS, TOGETHER};
 use crate::normal::smooth::SmoothedProfile;
+use crate::normal::{Indentation, Profile};
 use crate::number::{Float, Number, add, at, length};
+use crate::patch::StoredPatch;
 use crate::status::Error;
 use core::slice::from_ref;
 
@@ -44,92 +46,149 @@ impl<F: Float> Scene<'_, F> {
     /// and of the strips; those of frames, creepages and creep forces by differences to one side,
     /// in single precision to both. The memory of the last contact that there may be is used.
     #[inline(never)]
-    pub(super) fn differentiate(
+    pub(super) fn add_slopes_by_position(
         &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
+        state: &BodyState<F>,
         memory: &mut Workspace<F>,
         found: &Wrench<F>,
         slopes: &mut WrenchByPosition<F>,
     ) -> Result<(), Error> {
-        let Self { rail, pair, strips: count, law, .. } = *self;
+        let Self { rail, pair, strips: count, .. } = *self;
         let Workspace { gap, strips, contacts, count: used, .. } = memory;
         let spare = (*used as usize).min(KSTRIP_CONTACTS_CAPACITY - 1);
         let contact = contacts.get_mut(spare).ok_or(Error::PatchSize)?;
         let slip = found.dissipation / (found.normal_force + F::TINY);
-        let speed = velocity.forward.abs().plus(SLOW);
+        let speed = state.velocity.forward.abs().plus(SLOW);
         let creepage = (slip / speed).times(3.0).plus(CREEPAGE);
-        let mut columns = slopes.columns();
         let (sides, here) =
             if is_single::<F>() { (2, [F::zero(); 6]) } else { (1, found.members()) };
-        let view = View::new(gap, pair, position)?;
-        let (left, reach) = (pair.left != 0, view::reach(gap.step, pair.smoothing_length));
-        let moves = PointMoves::new(view.lists, rail, &view.position, left, reach);
+        let view = View::new(gap, pair, &state.position)?;
+        let moves = view.moves(rail);
         let Some(profile) = view.profile()? else { return Ok(()) };
-        let steps = with_cells(count, |cells| {
-            let mut curve =
-                SmoothedProfile::<F, TOGETHER>::of_surfaces(&profile, pair.smoothing_length);
+        let mut columns = slopes.columns();
+        let lengths = with_cells(count, |cells| {
+            let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
             let mut groups = Groups::new();
             group_zones(&curve, &mut groups)?;
             let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
-            let step = |direction| view.step_in(&moves, direction, deepest, creepage);
-            let steps: [F; DIRECTIONS] = core::array::from_fn(step);
+            let length = |direction| view.length_of_step(&moves, direction, deepest, creepage);
+            let lengths: [F; DIRECTIONS] = core::array::from_fn(length);
+            let mut room = Room { cells, strips, contact };
             for first in (0..DIRECTIONS).step_by(TOGETHER) {
-                let steps: [F; TOGETHER] = core::array::from_fn(|k| at(&steps, first + k));
                 let (mut moves, mut profile) = (moves, profile);
                 moves.first = first;
                 profile.motion = Some(&moves);
                 curve.follow(&profile, &moves, pair.smoothing_length);
-                let mut rates = [[F::zero(); GROUPS]; TOGETHER];
-                for (k, rates) in rates.iter_mut().enumerate() {
-                    rates_of_shares(&curve, &groups, k, rates)?;
-                }
-                for (number, group) in groups.iter().enumerate() {
-                    curve.restrict(&group.whole);
-                    let depth = curve.depth(&group.whole);
-                    let mut pressed = view.press(&profile, &curve, depth, count, cells)?;
-                    let mut own = steps.map(|step| (step, F::one()));
-                    if sides == 2 {
-                        shorten(cells, &mut own);
-                    }
-                    bound_changes(cells, &own);
-                    for (k, ((step, share), rates)) in own.into_iter().zip(&rates).enumerate() {
-                        for side in [F::one(), -F::one()].into_iter().take(sides) {
-                            let (step, weight) = (side * step * share, side * share);
-                            // (what is more than zero does not vanish over a step)
-                            let of = |own: Directed<F>| {
-                                let moved = own.value + step * own.derivative(k);
-                                let vanishes = own.value > F::zero() && moved <= F::zero();
-                                if vanishes { own.value } else { moved }
-                            };
-                            view.strips(cells, of, &mut pressed, strips)?;
-                            if strips.count == 0 {
-                                continue;
-                            }
-                            let moved = view.moved(moves, first + k, step);
-                            contact.fill(&moved, strips, &pressed);
-                            contact.share = (group.share + step * at(rates, number)).max(F::zero());
-                            // (by ± h/h' where its own step h' is shorter than h)
-                            let (own, weight) = (from_ref(&*contact), F::one() / weight);
-                            let found =
-                                sum_of_contacts::<_, false>(strips, own, velocity, law, None);
-                            let moved = found?.members().map(|own| own * weight);
-                            if let Some(column) = columns.get_mut(first + k) {
-                                add(&mut column[..], moved);
-                            }
-                        }
-                    }
-                }
+                let lengths = core::array::from_fn(|k| at(&lengths, first + k));
+                let columns = columns.get_mut(first..first + TOGETHER).unwrap_or(&mut []);
+                let steps = Steps { scene: self, view: &view, state, moves, lengths, sides };
+                steps.add_wrenches(&profile, &mut curve, &groups, &mut room, columns)?;
             }
-            Ok(steps)
+            Ok(lengths)
         })?;
-        for (column, step) in columns.into_iter().zip(steps) {
-            let step = step * F::widened(sides as f32);
+        for (column, length) in columns.into_iter().zip(lengths) {
+            let step = length * F::widened(sides as f32);
             for (slope, here) in column.iter_mut().zip(here) {
                 *slope = (*slope - here) / step;
             }
         }
         Ok(())
+    }
+}
+
+/// Memory for one contact: its cells with their derivatives, and its strips after a step.
+struct Room<'a, 'b, F> {
+    cells: &'a mut Cells<'b, F, TOGETHER>,
+    strips: &'a mut StoredPatch<F>,
+    contact: &'a mut WheelContact<F>,
+}
+
+/// Steps of a wheel in [`TOGETHER`] directions, of which the first is that of `moves`.
+struct Steps<'a, F> {
+    scene: &'a Scene<'a, F>,
+    view: &'a View<'a, F>,
+    state: &'a BodyState<F>,
+    moves: PointMoves<'a, F>,
+    /// \[m, rad\]
+    lengths: [F; TOGETHER],
+    /// 1: forward; 2: also backward.
+    sides: usize,
+}
+
+/// A step of one contact.
+struct ContactStep<F> {
+    /// Number of the direction, from that of `moves` on.
+    k: usize,
+    /// \[m, rad\]
+    length: F,
+    /// Share of the contact after the step.
+    share: F,
+}
+
+impl<F: Float> Steps<'_, F> {
+    /// Adds the wrenches of all contacts after the steps, of which those backward count negative.
+    fn add_wrenches(
+        &self,
+        profile: &Profile<F>,
+        curve: &mut SmoothedProfile<F, TOGETHER>,
+        groups: &[Group<F>],
+        room: &mut Room<F>,
+        columns: &mut [&mut [F; 6]],
+    ) -> Result<(), Error> {
+        let mut rates = [[F::zero(); GROUPS]; TOGETHER];
+        for (k, rates) in rates.iter_mut().enumerate() {
+            rates_of_shares(curve, groups, k, rates)?;
+        }
+        for (number, group) in groups.iter().enumerate() {
+            curve.restrict(&group.whole);
+            let (depth, count) = (curve.depth(&group.whole), self.scene.strips);
+            let pressed = &mut self.view.press(profile, curve, depth, count, room.cells)?;
+            let mut shares = [F::one(); TOGETHER];
+            if self.sides == 2 {
+                shorten(room.cells, &self.lengths, &mut shares);
+            }
+            bound_changes(room.cells, &self.lengths, &shares);
+            for (k, (column, rates)) in columns.iter_mut().zip(&rates).enumerate() {
+                let (length, part) = (at(&self.lengths, k), at(&shares, k));
+                for side in [F::one(), -F::one()].into_iter().take(self.sides) {
+                    let length = side * length * part;
+                    let share = (group.share + length * at(rates, number)).max(F::zero());
+                    let moved =
+                        self.wrench_after(&ContactStep { k, length, share }, pressed, room)?;
+                    // (by ± h/h' where its own step h' is shorter than h)
+                    let weight = F::one() / (side * part);
+                    add(&mut column[..], moved.map(|own| own * weight));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The wrench of a contact after one of these steps.
+    fn wrench_after(
+        &self,
+        step: &ContactStep<F>,
+        pressed: &mut Indentation<F>,
+        room: &mut Room<F>,
+    ) -> Result<[F; 6], Error> {
+        let Self { scene, view, state, moves, .. } = *self;
+        let Room { cells, strips, contact } = room;
+        let ContactStep { k, length, share } = *step;
+        // (what is more than zero does not vanish over a step)
+        let of = |own: Directed<F>| {
+            let moved = own.value + length * own.derivative(k);
+            let vanishes = own.value > F::zero() && moved <= F::zero();
+            if vanishes { own.value } else { moved }
+        };
+        view.strips(cells, of, pressed, strips)?;
+        if strips.count == 0 {
+            return Ok([F::zero(); 6]);
+        }
+        contact.fill(&view.moved(moves, moves.first + k, length), strips, pressed);
+        contact.share = share;
+        let contacts = from_ref(&**contact);
+        sum_of_contacts::<_, false>(strips, contacts, &state.velocity, scene.law, None)
+            .map(|found| found.members())
     }
 }
 
@@ -142,9 +201,13 @@ fn change<F: Float>(cell: &Cell<F, TOGETHER>, k: usize, step: F) -> F {
 }
 
 /// Shares of steps over which all cells change by little, at least [`SHORTEST`].
-fn shorten<F: Float>(cells: &Cells<F, TOGETHER>, steps: &mut [(F, F); TOGETHER]) {
+fn shorten<F: Float>(
+    cells: &Cells<F, TOGETHER>,
+    steps: &[F; TOGETHER],
+    shares: &mut [F; TOGETHER],
+) {
     for cell in cells.list.iter() {
-        for (k, (step, share)) in steps.iter_mut().enumerate() {
+        for (k, (step, share)) in steps.iter().zip(shares.iter_mut()).enumerate() {
             let most = F::of(LARGEST_CHANGE) / (change(cell, k, *step) + F::TINY);
             *share = share.min(most).max(F::of(SHORTEST));
         }
@@ -153,9 +216,13 @@ fn shorten<F: Float>(cells: &Cells<F, TOGETHER>, steps: &mut [(F, F); TOGETHER])
 
 /// Lessens the derivatives of cells that would change by much over shares of steps, so that strips
 /// keep their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`.
-fn bound_changes<F: Float>(cells: &mut Cells<F, TOGETHER>, steps: &[(F, F); TOGETHER]) {
+fn bound_changes<F: Float>(
+    cells: &mut Cells<F, TOGETHER>,
+    steps: &[F; TOGETHER],
+    shares: &[F; TOGETHER],
+) {
     for cell in cells.list.iter_mut() {
-        for (k, (step, share)) in steps.iter().enumerate() {
+        for (k, (step, share)) in steps.iter().zip(shares).enumerate() {
             let change = change(cell, k, *step * *share);
             if change > F::of(LARGEST_CHANGE) {
                 let part = F::of(LARGEST_CHANGE) / change;
@@ -212,14 +279,20 @@ impl<'a, F: Float> View<'a, F> {
         Self { position, moved: Some((moves, direction, step)), ..*self }
     }
 
-    /// The step of a direction, over which the overlap `δ`, the shape and the creepage `υ` change
-    /// by a small share. With the rates `d'` of the distance, `u'` and `x'` of the place of the
-    /// lowest point, and `α'` of the wheel's turn,
+    /// The length of a step in a direction, over which the overlap `δ`, the shape and the creepage
+    /// `υ` change by a small share. With the rates `d'` of the distance, `u'` and `x'` of the place
+    /// of the lowest point, and `α'` of the wheel's turn,
     ///
     /// ```text
     /// h = √ε/(D/5 + C/1.4),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
     /// ```
-    fn step_in(&self, moves: &PointMoves<F>, direction: usize, deepest: F, creepage: F) -> F {
+    fn length_of_step(
+        &self,
+        moves: &PointMoves<F>,
+        direction: usize,
+        deepest: F,
+        creepage: F,
+    ) -> F {
         let [_, distance, ..] = self.lists;
         let lower = |(lowest, least), (k, own): (usize, &F)| {
             if *own < least { (k, *own) } else { (lowest, least) }

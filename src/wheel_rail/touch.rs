@@ -10,7 +10,7 @@ use super::surface::{CurvePoint, Surface};
 use super::under::Rail;
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
-use crate::number::{Float, Strips, are_finite, set_at};
+use crate::number::{Float, Strips, set_at};
 use crate::status::Error;
 
 /// Default of the distance above which points are left out \[m\].
@@ -76,11 +76,18 @@ impl<F: Float> Gap<F> {
     }
 }
 
-/// A wheel over a rail.
-struct Above<'a, F> {
-    profile: &'a Surface<F>,
-    wheel: Wheel<F>,
+/// A right wheel over a rail, between which the gap is searched.
+#[derive(Clone, Copy)]
+pub struct GapSearch<'a, F> {
+    rail: &'a Surface<F>,
+    wheel: &'a Surface<F>,
+    turned: Wheel<F>,
     position: Position<F>,
+}
+
+/// A search in progress, up to a distance.
+struct Above<'a, F> {
+    search: &'a GapSearch<'a, F>,
     reach: F,
     rail: Rail<'a, F>,
 }
@@ -137,10 +144,11 @@ impl<F: Float> Above<'_, F> {
 
     #[inline(always)]
     fn look_from<P: Strips<F>>(&mut self, places: &Places<F>) -> [Option<GapPoint<F>>; FOUR] {
-        let Position { lateral, vertical, .. } = self.position;
+        let GapSearch { wheel, turned, position, .. } = self.search;
+        let Position { lateral, vertical, .. } = *position;
         let zero = F::zero();
         // (where there is no place, one at which no wheel touches)
-        let found = places.map(|(k, share)| self.profile.place(k, share));
+        let found = places.map(|(k, share)| wheel.place(k, share));
         let of = |member: fn(&CurvePoint<F>) -> F| {
             P::gather(|i| found.get(i).and_then(Option::as_ref).map_or(zero, member))
         };
@@ -150,7 +158,7 @@ impl<F: Float> Above<'_, F> {
             cosine: of(|place| place.cosine),
             sine: of(|place| place.sine),
         };
-        let line = self.wheel.line_of_contact(&profile);
+        let line = turned.line_of_contact(&profile);
         let [wheel_y, wheel_z] = line.normal;
         let point = [P::all(lateral) + line.place[1], P::all(vertical) + line.below];
         if self.rail.is_far(point) {
@@ -169,10 +177,9 @@ impl<F: Float> Above<'_, F> {
             self.rail.set_free();
             return [None; FOUR];
         }
-        let curvature = P::gather(|i| {
-            places.get(i).map_or(zero, |(k, share)| self.profile.curvature(*k, *share))
-        });
-        let of_wheel = self.wheel.rolling_radius(&profile, curvature);
+        let curvature =
+            P::gather(|i| places.get(i).map_or(zero, |(k, share)| wheel.curvature(*k, *share)));
+        let of_wheel = turned.rolling_radius(&profile, curvature);
         // 1/R = 1/R_wheel + 1/R_roller
         let rolling_radius = of_wheel * (of_wheel * line.curvature).plus(1.0).inverse();
         let foot = self.rail.feet(point, &under);
@@ -197,137 +204,136 @@ impl<F: Float> Above<'_, F> {
     }
 }
 
-/// The gap between a right wheel and a rail, at the points of the wheel's profile. Only those
-/// nearer to the rail than `reach` are written; zero: 2 mm. Returns the smallest distance of the
-/// points, or `reach` where all are farther.
-///
-/// # Errors
-/// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`]; [`Error::ProfileEnd`]
-/// when no point of the wheel is above the rail; nothing has been written then.
-pub fn touch<F: Float>(
-    rail: &Surface<F>,
-    wheel: &Surface<F>,
-    wheel_radius: F,
-    position: &Position<F>,
-    reach: F,
-    gap: &mut Gap<F>,
-) -> Result<F, Error> {
-    position.check()?;
-    Error::NotFinite.unless(are_finite(&[wheel_radius, reach]))?;
-    Error::RollingRadius.when(wheel_radius <= F::zero())?;
-    search(rail, wheel, Wheel::new(wheel_radius, position), position, reach, gap)
-}
+impl<'a, F: Float> GapSearch<'a, F> {
+    /// A wheel of a radius over a straight rail.
+    ///
+    /// # Errors
+    /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`];
+    /// [`Error::ProfileEnd`] for an angle of one or more.
+    pub fn new(
+        rail: &'a Surface<F>,
+        wheel: &'a Surface<F>,
+        wheel_radius: F,
+        position: &Position<F>,
+    ) -> Result<Self, Error> {
+        Error::NotFinite.unless(wheel_radius.is_finite_number())?;
+        Error::RollingRadius.when(wheel_radius <= F::zero())?;
+        Self::of_turned(rail, wheel, Wheel::new(wheel_radius, position), position)
+    }
 
-/// [`touch`] with the checked radii of a pair.
-pub(crate) fn touch_of_pair<F: Float>(
-    rail: &Surface<F>,
-    wheel: &Surface<F>,
-    pair: &WheelPair<F>,
-    position: &Position<F>,
-    reach: F,
-    gap: &mut Gap<F>,
-) -> Result<F, Error> {
-    position.check()?;
-    search(rail, wheel, Wheel::of_pair(pair, position), position, reach, gap)
-}
+    /// The wheel of a pair that was checked, at the position of a right wheel, or of the mirror
+    /// image of a left one.
+    pub(super) fn of_pair(
+        rail: &'a Surface<F>,
+        wheel: &'a Surface<F>,
+        pair: &WheelPair<F>,
+        right: &Position<F>,
+    ) -> Result<Self, Error> {
+        Self::of_turned(rail, wheel, Wheel::of_pair(pair, right), right)
+    }
 
-fn search<F: Float>(
-    rail: &Surface<F>,
-    wheel: &Surface<F>,
-    turned: Wheel<F>,
-    position: &Position<F>,
-    reach: F,
-    gap: &mut Gap<F>,
-) -> Result<F, Error> {
-    rail.check()?;
-    wheel.check()?;
-    let reach = if reach > F::zero() { reach } else { F::of(REACH) };
-    let rail = Rail::new(rail, reach);
-    let mut above = Above { profile: wheel, wheel: turned, position: *position, reach, rail };
-    let points = wheel.count as usize;
-    let (mut count, mut least) = (0, reach);
-    let mut end: Option<F> = None;
-    let mut write = |point: &GapPoint<F>| {
-        let [along, distance, ..] = *point;
-        if end.is_none_or(|end| along > end) && count < KSTRIP_SURFACE_CAPACITY {
-            gap.set(count, point);
-            count += 1;
-            least = least.min(distance);
-            end = Some(along);
+    fn of_turned(
+        rail: &'a Surface<F>,
+        wheel: &'a Surface<F>,
+        turned: Wheel<F>,
+        position: &Position<F>,
+    ) -> Result<Self, Error> {
+        position.check()?;
+        rail.check()?;
+        wheel.check()?;
+        Ok(Self { rail, wheel, turned, position: *position })
+    }
+
+    /// The gap, at the points of the wheel's profile. Only those nearer to the rail than `reach`
+    /// are written; zero: 2 mm. Returns the smallest distance of the points, or `reach` where all
+    /// are farther.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::ProfileEnd`] when no point of the wheel is above the rail;
+    /// nothing has been written then.
+    pub fn gap(&self, reach: F, gap: &mut Gap<F>) -> Result<F, Error> {
+        Error::NotFinite.unless(reach.is_finite_number())?;
+        let Self { rail, wheel, .. } = *self;
+        let reach = if reach > F::zero() { reach } else { F::of(REACH) };
+        let rail = Rail::new(rail, reach);
+        let mut above = Above { search: self, reach, rail };
+        let points = wheel.count as usize;
+        let (mut count, mut least) = (0, reach);
+        let mut end: Option<F> = None;
+        let mut write = |point: &GapPoint<F>| {
+            let [along, distance, ..] = *point;
+            if end.is_none_or(|end| along > end) && count < KSTRIP_SURFACE_CAPACITY {
+                gap.set(count, point);
+                count += 1;
+                least = least.min(distance);
+                end = Some(along);
+            }
+        };
+        let mut before: Option<GapPoint<F>> = None;
+        let places = |first: usize| core::array::from_fn(|i| (first + i, F::zero()));
+        for first in (0..points).step_by(FOUR) {
+            let found = above.look(&places(first));
+            for (i, point) in found.iter().enumerate().take(points - first) {
+                if let Some(k) = (first + i).checked_sub(1)
+                    && before.is_some() != point.is_some()
+                {
+                    // where the rail ends under the wheel
+                    let inside = before.as_ref().or(point.as_ref());
+                    if let Some(last) = above.last(k, before.is_some(), inside) {
+                        write(&last);
+                    }
+                }
+                if let Some(point) = point {
+                    write(point);
+                }
+                before = *point;
+            }
         }
-    };
-    let mut before: Option<GapPoint<F>> = None;
-    let places = |first: usize| core::array::from_fn(|i| (first + i, F::zero()));
-    for first in (0..points).step_by(FOUR) {
-        let found = above.look(&places(first));
-        for (i, point) in found.iter().enumerate().take(points - first) {
-            if let Some(k) = (first + i).checked_sub(1)
-                && before.is_some() != point.is_some()
-            {
-                // where the rail ends under the wheel
-                let inside = before.as_ref().or(point.as_ref());
-                if let Some(last) = above.last(k, before.is_some(), inside) {
-                    write(&last);
+        // (points that were passed may face the rail)
+        above.rail.looks_at_all = true;
+        let mut groups = (0..points).step_by(FOUR);
+        while !above.rail.faced {
+            let first = groups.next().ok_or(Error::ProfileEnd)?;
+            above.look(&places(first));
+        }
+        gap.count = count as u32;
+        (gap.step, gap.reserved) = (wheel.step, 0);
+        Ok(least)
+    }
+
+    /// The vertical position at which the wheel, when it is lowered, meets the rail with a point of
+    /// its line of contact, and the cosine of the rail's angle there. None where no point of the
+    /// wheel is over the rail.
+    pub(super) fn lowered(&self) -> Option<[F; 2]> {
+        let Self { rail, wheel, turned, position } = *self;
+        let (points, mut k) = (rail.count as usize, 0);
+        let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
+        let mut least: Option<[F; 2]> = None;
+        for first in (0..wheel.count as usize).step_by(FOUR) {
+            let line = turned.line_of_contact(&wheel.points::<F::Four>(|i| first + i));
+            let [_, across, _] = &line.place;
+            for i in (0..FOUR).take(wheel.count as usize - first) {
+                let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));
+                if !(line.can_touch.lane(i) > F::zero()) {
+                    continue;
+                }
+                // the piece of the rail below
+                while y_of(k + 2).is_some() && y_of(k + 1).is_some_and(|next| next <= y) {
+                    k += 1;
+                }
+                while k > 0 && y_of(k).is_some_and(|from| from > y) {
+                    k -= 1;
+                }
+                let (Some(from), Some(to)) = (rail.point(k), rail.point(k + 1)) else { continue };
+                let share = (y - from.y) / (to.y - from.y);
+                if share >= F::zero() && share <= F::one() {
+                    let left = from.z + (to.z - from.z) * share - below;
+                    if least.is_none_or(|[least, _]| left < least) {
+                        least = Some([left, from.cosine]);
+                    }
                 }
             }
-            if let Some(point) = point {
-                write(point);
-            }
-            before = *point;
         }
+        least
     }
-    // (points that were passed may face the rail)
-    above.rail.looks_at_all = true;
-    let mut groups = (0..points).step_by(FOUR);
-    while !above.rail.faced {
-        let first = groups.next().ok_or(Error::ProfileEnd)?;
-        above.look(&places(first));
-    }
-    gap.count = count as u32;
-    (gap.step, gap.reserved) = (wheel.step, 0);
-    Ok(least)
-}
-
-/// The vertical position at which a right wheel that is lowered meets the rail with a point of its
-/// line of contact, and the cosine of the rail's angle there. None where no point of the wheel is
-/// over the rail.
-pub(super) fn lowered<F: Float>(
-    rail: &Surface<F>,
-    wheel: &Surface<F>,
-    pair: &WheelPair<F>,
-    position: &Position<F>,
-) -> Result<Option<[F; 2]>, Error> {
-    rail.check()?;
-    wheel.check()?;
-    position.check()?;
-    let turned = Wheel::of_pair(pair, position);
-    let (points, mut k) = (rail.count as usize, 0);
-    let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
-    let mut least: Option<[F; 2]> = None;
-    for first in (0..wheel.count as usize).step_by(FOUR) {
-        let line = turned.line_of_contact(&wheel.points::<F::Four>(|i| first + i));
-        let [_, across, _] = &line.place;
-        for i in (0..FOUR).take(wheel.count as usize - first) {
-            let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));
-            if !(line.can_touch.lane(i) > F::zero()) {
-                continue;
-            }
-            // the piece of the rail below
-            while y_of(k + 2).is_some() && y_of(k + 1).is_some_and(|next| next <= y) {
-                k += 1;
-            }
-            while k > 0 && y_of(k).is_some_and(|from| from > y) {
-                k -= 1;
-            }
-            let (Some(from), Some(to)) = (rail.point(k), rail.point(k + 1)) else { continue };
-            let share = (y - from.y) / (to.y - from.y);
-            if share >= F::zero() && share <= F::one() {
-                let left = from.z + (to.z - from.z) * share - below;
-                if least.is_none_or(|[least, _]| left < least) {
-                    least = Some([left, from.cosine]);
-                }
-            }
-        }
-    }
-    Ok(least)
 }

@@ -17,7 +17,6 @@ use super::kinematics::{Kinematics, Side};
 use crate::number::{Float, are_finite, ascend, at, length, pairs};
 use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
-use crate::wheel_rail::touch::touch_of_pair;
 use crate::wheel_rail::{Position, sine_cosine};
 
 /// Number of places in half a wave.
@@ -36,7 +35,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// wheelset touches both rails without yaw; with the roll that it has there, or without any.
     ///
     /// # Errors
-    /// Those of [`touch`](crate::wheel_rail::touch::touch).
+    /// Those of [`GapSearch::gap`](crate::wheel_rail::touch::GapSearch::gap).
     pub fn rolling_radius_difference(
         &self,
         lateral: F,
@@ -71,12 +70,11 @@ fn rolling_radius<F: Float>(
     position: &Position<F>,
     memory: &mut Workspace<F>,
 ) -> Result<(F, F), Error> {
-    let Scene { rail, wheel, pair, .. } = *scene;
     let first = Kinematics::new(*side, position).position();
-    let mut here = first.mirrored(pair.left != 0);
+    let mut here = first.mirrored(scene.pair.left != 0);
     let gap = &mut memory.gap;
     for _ in 0..LOWERINGS {
-        let left = touch_of_pair(rail, wheel, pair, &here, F::zero(), gap)?;
+        let left = scene.search_at(&here)?.gap(F::zero(), gap)?;
         here.vertical += left;
         if left.abs() < F::of(TOUCHES) {
             break;

@@ -6,7 +6,7 @@ use crate::number::{Float, add, add_at, are_finite};
 use crate::status::Error;
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
-use crate::wheel_rail::{Position, Velocity, dot};
+use crate::wheel_rail::{BodyState, Requested, dot};
 
 /// Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
 /// left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
@@ -64,19 +64,30 @@ pub struct Wheelset<'a, F> {
 }
 
 impl<F: Float> Wheelset<'_, F> {
-    /// Forces at a position and a velocity of the wheelset, and, on request, their
-    /// derivatives.
+    /// Forces at a position and a velocity of the wheelset.
     ///
     /// # Errors
     /// Those of [`Scene::solve`].
     pub fn solve(
         &self,
-        position: &Position<F>,
-        velocity: &Velocity<F>,
+        state: &BodyState<F>,
         memory: &mut WheelsetWorkspace<F>,
-        mut by_velocity: Option<&mut WheelsetDerivatives<F>>,
-        mut by_position: Option<&mut WheelsetByPosition<F>>,
     ) -> Result<WheelsetForces<F>, Error> {
+        self.differentiate(state, memory, Requested { by_velocity: None, by_position: None })
+    }
+
+    /// [`Wheelset::solve`] with the derivatives that are requested.
+    ///
+    /// # Errors
+    /// Those of [`Scene::solve`].
+    pub fn differentiate(
+        &self,
+        state: &BodyState<F>,
+        memory: &mut WheelsetWorkspace<F>,
+        requested: Requested<WheelsetDerivatives<F>, WheelsetByPosition<F>>,
+    ) -> Result<WheelsetForces<F>, Error> {
+        let BodyState { position, velocity } = state;
+        let Requested { mut by_velocity, mut by_position } = requested;
         position.check()?;
         let own = velocity.members();
         Error::NotFinite.unless(are_finite(&own))?;
@@ -94,8 +105,11 @@ impl<F: Float> Wheelset<'_, F> {
         {
             side.motion.check()?;
             let kinematics = Kinematics::new(*side, position);
-            let (by, moved) = (by_velocity.as_deref_mut(), by_position.as_deref_mut());
-            *wheel = one_wheel(scene, &kinematics, &own, memory, by, moved)?;
+            let requested = Requested {
+                by_velocity: by_velocity.as_deref_mut(),
+                by_position: by_position.as_deref_mut(),
+            };
+            *wheel = one_wheel(scene, &kinematics, &own, memory, requested)?;
             let ten = transposed_times(&kinematics.columns(), &wheel.members());
             add(&mut sum.force, ten);
             add(&mut sum.moment, ten.into_iter().skip(3));
@@ -116,22 +130,23 @@ fn one_wheel<F: Float>(
     kinematics: &Kinematics<F>,
     own: &[F; 6],
     memory: &mut Workspace<F>,
-    by_velocity: Option<&mut WheelsetDerivatives<F>>,
-    by_position: Option<&mut WheelsetByPosition<F>>,
+    requested: Requested<WheelsetDerivatives<F>, WheelsetByPosition<F>>,
 ) -> Result<Wrench<F>, Error> {
-    let (position, velocity) = (kinematics.position(), kinematics.velocity(own));
+    let Requested { by_velocity, by_position } = requested;
+    let state = &BodyState { position: kinematics.position(), velocity: kinematics.velocity(own) };
     let pair = kinematics.pair(scene.pair);
     let scene = &Scene { pair: &pair, ..*scene };
     if by_velocity.is_none() && by_position.is_none() {
-        return scene.solve(&position, &velocity, memory, None, None);
+        return scene.solve(state, memory);
     }
     let (mut by, mut moved) = (WrenchDerivatives::default(), WrenchByPosition::default());
     let wanted = by_position.is_some().then_some(&mut moved);
     let by_ahead = match &wanted {
-        Some(_) => scene.by_rail_ahead(&position, &velocity, memory)?,
+        Some(_) => scene.by_rail_ahead(state, memory)?,
         None => [F::zero(); 6],
     };
-    let wrench = scene.solve(&position, &velocity, memory, Some(&mut by), wanted)?;
+    let requested = Requested { by_velocity: Some(&mut by), by_position: wanted };
+    let wrench = scene.differentiate(state, memory, requested)?;
     let columns = kinematics.columns();
     if let Some(sums) = by_velocity {
         add(&mut sums.friction, transposed_times(&columns, &by.friction));

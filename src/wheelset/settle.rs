@@ -13,7 +13,7 @@ use super::kinematics::Kinematics;
 use crate::number::{Float, are_finite, at};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::scene::Scene;
-use crate::wheel_rail::{Position, Velocity, cross, dot};
+use crate::wheel_rail::{BodyState, Position, Requested, Velocity, cross, dot};
 
 /// Newton's steps, and halvings of a step.
 const STEPS: usize = 40;
@@ -50,10 +50,8 @@ pub struct WheelsetLoads<F> {
 /// A wheelset in balance.
 #[derive(Clone, Copy, Debug)]
 pub struct Settled<F> {
-    /// The position: vertical and roll have been found.
-    pub position: Position<F>,
-    /// The velocity: the pitch rate has been found.
-    pub velocity: Velocity<F>,
+    /// Vertical, roll and the pitch rate have been found.
+    pub state: BodyState<F>,
     /// The forces there.
     pub forces: WheelsetForces<F>,
     /// The warning, if there is one.
@@ -69,8 +67,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// for a torque that friction does not carry; those of [`Wheelset::solve`].
     pub fn settle(
         &self,
-        start: &Position<F>,
-        velocity: &Velocity<F>,
+        start: &BodyState<F>,
         loads: &WheelsetLoads<F>,
         memory: &mut WheelsetWorkspace<F>,
     ) -> Result<Settled<F>, Error> {
@@ -83,13 +80,14 @@ impl<F: Float> Wheelset<'_, F> {
             let carried = vertical.times(0.5) + roll / side.arm.times(2.0);
             carried.max(vertical.times(LEAST))
         });
-        let (position, radii) = self.carried(start, supports, None, memory)?;
+        let (position, radii) = self.carried(&start.position, supports, None, memory)?;
         let radius = radii.into_iter().fold(F::zero(), |sum, own| sum + own.times(0.5));
-        let speed = velocity.forward + right.pair.rail_speed;
-        let pitch_rate = -speed / radius;
-        let (mut here, mut moves) = (position, Velocity { pitch: pitch_rate, ..*velocity });
-        let settled = |position: Position<F>, velocity: Velocity<F>, forces: WheelsetForces<F>| {
-            Settled { position, velocity, forces, warning: forces.wrench.warning }
+        let speed = start.velocity.forward + right.pair.rail_speed;
+        let velocity = Velocity { pitch: -speed / radius, ..start.velocity };
+        let mut here = BodyState { position, velocity };
+        let settled = |state: BodyState<F>, forces: WheelsetForces<F>| {
+            let warning = forces.wrench.warning;
+            Settled { state, forces, warning }
         };
         let rest_of = |forces: &WheelsetForces<F>| {
             let [_, _, down, over, about, _] = forces.wrench.members();
@@ -107,10 +105,12 @@ impl<F: Float> Wheelset<'_, F> {
             (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let mut rest = [F::zero(); 3];
         'steps: for _ in 0..STEPS {
-            let forces = self.solve(&here, &moves, memory, Some(&mut slopes), Some(&mut moved))?;
+            let (by_velocity, by_position) = (Some(&mut slopes), Some(&mut moved));
+            let requested = Requested { by_velocity, by_position };
+            let forces = self.differentiate(&here, memory, requested)?;
             rest = rest_of(&forces);
             if size(&rest) <= least {
-                return Ok(settled(here, moves, forces));
+                return Ok(settled(here, forces));
             }
             // by the heights of both wheels, and by the pitch rate
             let scale = [vertical, vertical * width, vertical * radius];
@@ -130,36 +130,36 @@ impl<F: Float> Wheelset<'_, F> {
             let most = right.abs().max(left.abs());
             let rim = pitch.abs() * radius;
             let is_rounding = most <= radius * F::EPSILON.times(ROUNDING)
-                && rim <= velocity.forward.abs().plus(1.0) * F::EPSILON.times(ROUNDING);
+                && rim <= start.velocity.forward.abs().plus(1.0) * F::EPSILON.times(ROUNDING);
             let part = if most > farthest { farthest / most } else { F::one() };
             let (right, left) = (right * part, left * part);
             let pitch = pitch.clamped(-quickest, quickest);
             let mut share = F::one();
             for _ in 0..HALVINGS {
-                let (mut next, mut faster) = (here, moves);
-                next.vertical -= share * (right + left).times(0.5);
-                next.roll -= share * (right - left) / width.times(2.0);
-                faster.pitch -= share * pitch;
+                let mut next = here;
+                next.position.vertical -= share * (right + left).times(0.5);
+                next.position.roll -= share * (right - left) / width.times(2.0);
+                next.velocity.pitch -= share * pitch;
                 // (a step beyond the profiles is too long as well)
-                let tried = self.solve(&next, &faster, memory, None, None);
+                let tried = self.solve(&next, memory);
                 if tried.is_ok_and(|forces| size(&rest_of(&forces)) < size(&rest)) {
-                    (here, moves) = (next, faster);
+                    here = next;
                     continue 'steps;
                 }
                 share = share.times(0.5);
             }
             if is_rounding && size(&rest) < F::of(NEARLY) {
-                return Ok(settled(here, moves, self.solve(&here, &moves, memory, None, None)?));
+                return Ok(settled(here, self.solve(&here, memory)?));
             }
             break;
         }
-        let lifts = (0..2).any(|other| self.lifts(other, start, velocity, loads, memory));
-        let forces = self.solve(&here, &moves, memory, None, None)?;
+        let lifts = (0..2).any(|other| self.lifts(other, start, loads, memory));
+        let forces = self.solve(&here, memory)?;
         let [down, over, about] = rest.map(F::abs);
         Error::WheelLifted.when(lifts || forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
         Error::ForceBeyondFriction.when(about > down.max(over) && about > F::of(1e-3))?;
         let warning = forces.wrench.warning.worse(Warning::NotConverged);
-        Ok(Settled { warning, ..settled(here, moves, forces) })
+        Ok(Settled { warning, ..settled(here, forces) })
     }
 
     /// Whether a wheel lifts where the other one carries the whole load: the roll moment turns the
@@ -167,8 +167,7 @@ impl<F: Float> Wheelset<'_, F> {
     fn lifts(
         &self,
         lifted: usize,
-        start: &Position<F>,
-        velocity: &Velocity<F>,
+        start: &BodyState<F>,
         loads: &WheelsetLoads<F>,
         memory: &mut WheelsetWorkspace<F>,
     ) -> bool {
@@ -176,13 +175,13 @@ impl<F: Float> Wheelset<'_, F> {
             let of = |k| loads.vertical.times(if k == lifted { BARELY } else { 1.0 });
             let supports = [of(0), of(1)];
             let [right, _] = self.scenes;
-            let (_, radii) = self.carried(start, supports, None, memory)?;
+            let (_, radii) = self.carried(&start.position, supports, None, memory)?;
             let [one, other] = radii;
             let radius = if lifted == 0 { other } else { one };
-            let pitch = -(velocity.forward + right.pair.rail_speed) / radius;
-            let moves = Velocity { pitch, ..*velocity };
-            let (position, _) = self.carried(start, supports, Some(&moves), memory)?;
-            self.solve(&position, &moves, memory, None, None)
+            let pitch = -(start.velocity.forward + right.pair.rail_speed) / radius;
+            let velocity = Velocity { pitch, ..start.velocity };
+            let (position, _) = self.carried(&start.position, supports, Some(&velocity), memory)?;
+            self.solve(&BodyState { position, velocity }, memory)
         };
         let arm = self.sides.get(lifted).map_or(F::zero(), |side| side.arm);
         at().is_ok_and(|forces: WheelsetForces<F>| {

@@ -10,7 +10,7 @@ use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::surface::Surface;
 use kstrip::wheel_rail::wrench::Law;
-use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+use kstrip::wheel_rail::{BodyState, Position, Velocity, WheelPair};
 
 /// Load of a wheel [N], speed [m/s], yaw over shift [rad/m].
 const LOAD: f64 = 10e3;
@@ -132,7 +132,7 @@ impl Wheelset {
         let (vertical, _) =
             scene.height_for_load(&position, LOAD, Some(&velocity), memory).unwrap();
         let position = Position { vertical, ..position };
-        let wrench = scene.solve(&position, &velocity, memory, None, None).unwrap();
+        let wrench = scene.solve(&BodyState { position, velocity }, memory).unwrap();
         let [fx, fy, _] = wrench.force;
         let mut sum = Wheel { fx: -fx, fy: -fy, vertical, ..Wheel::default() };
         for contact in memory.found() {

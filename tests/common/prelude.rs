@@ -38,7 +38,7 @@ pub use kstrip::wheel_rail::surface::Surface;
 pub use kstrip::wheel_rail::wrench::{
     Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts,
 };
-pub use kstrip::wheel_rail::{Position, Velocity, WheelPair};
+pub use kstrip::wheel_rail::{BodyState, Position, Requested, Velocity, WheelPair};
 pub use kstrip::wheelset::forces::{Wheelset, WheelsetWorkspace};
 pub use kstrip::wheelset::kinematics::Side;
 pub use kstrip::wheelset::settle::WheelsetLoads;

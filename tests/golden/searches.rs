@@ -236,15 +236,18 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         // (much deeper as well)
         for deeper in [0.3e-3, 2e-3, 6e-3] {
             let position = Position { vertical: vertical + F::of(deeper), ..place };
-            let found = scene.solve(&position, &Velocity::default(), memory, None, None);
+            let found = scene.solve(&BodyState { position, velocity: Velocity::default() }, memory);
             hash.wrench(found);
         }
         let position = Position { vertical, ..place };
         let mut by_velocity = WrenchDerivatives::default();
         let mut by_position = WrenchByPosition::default();
         let rolls = velocity(i);
-        let found =
-            scene.solve(&position, &rolls, memory, Some(&mut by_velocity), Some(&mut by_position));
+        let found = scene.differentiate(
+            &BodyState { position, velocity: rolls },
+            memory,
+            Requested { by_velocity: Some(&mut by_velocity), by_position: Some(&mut by_position) },
+        );
         if hash.wrench(found) {
             by_velocity.velocity.iter().for_each(|row| hash.add(row));
             let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
@@ -278,10 +281,14 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
         let loads = [100e3, 60e3 * swing(i, 5), 8e3 * swing(i, 6)].map(F::of);
         let [vertical, roll, pitch] = loads;
         let loads = WheelsetLoads { vertical, roll, pitch };
-        let found = Wheelset { scenes, sides }.settle(&start, &velocity(i), &loads, &mut memory);
+        let found = Wheelset { scenes, sides }.settle(
+            &BodyState { position: start, velocity: velocity(i) },
+            &loads,
+            &mut memory,
+        );
         let Some(found) = hash.status(found.map(|found| (found, found.warning))) else { continue };
-        let Position { vertical, roll, .. } = found.position;
-        hash.add(&[vertical, roll, found.velocity.pitch]);
+        let Position { vertical, roll, .. } = found.state.position;
+        hash.add(&[vertical, roll, found.state.velocity.pitch]);
         hash.members(&found.forces.wrench);
     }
 }

@@ -103,8 +103,11 @@ impl<F: Bits> Stand<F> {
         let position = Position { vertical, ..position };
         let mut by_velocity = WrenchDerivatives::default();
         let mut by_position = WrenchByPosition::default();
-        let found =
-            strip.solve(&position, &rolls, memory, Some(&mut by_velocity), Some(&mut by_position));
+        let found = strip.differentiate(
+            &BodyState { position, velocity: rolls },
+            memory,
+            Requested { by_velocity: Some(&mut by_velocity), by_position: Some(&mut by_position) },
+        );
         if hash.wrench(found) {
             hash_slopes(hash, &by_velocity);
             let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
@@ -126,13 +129,8 @@ impl<F: Bits> Stand<F> {
         let depth = F::of(20e-6);
         for (model, deeper) in [(Model::Strip, depth), (Model::Total, -depth)] {
             let position = Position { vertical: vertical + deeper, ..position };
-            let found = scene(&places, model, Some(&falling)).solve(
-                &position,
-                &velocity(0.02),
-                memory,
-                None,
-                None,
-            );
+            let found = scene(&places, model, Some(&falling))
+                .solve(&BodyState { position, velocity: velocity(0.02) }, memory);
             if hash.wrench(found) {
                 hash_contacts(hash, memory);
             }

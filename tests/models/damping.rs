@@ -93,7 +93,13 @@ fn derivatives_are_those_of_differences() {
         let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
         let mut by: Box<WrenchByPosition<f64>> = zeroed();
         let (scene, memory) = stand.split();
-        scene.solve(&position, &velocity, memory, Some(&mut slopes), Some(&mut by)).unwrap();
+        scene
+            .differentiate(
+                &BodyState { position, velocity },
+                memory,
+                Requested { by_velocity: Some(&mut slopes), by_position: Some(&mut by) },
+            )
+            .unwrap();
         let scale = (forward * forward + 4e-4_f64).sqrt();
         assert_derivatives(&slopes.velocity, 0..6, (2e-7 * scale, 1e-3 / scale), |k, step| {
             stand.solve(&position, &moved(&velocity, k, step))
@@ -131,7 +137,7 @@ fn negative_numbers_are_named() {
     let mut status = |normal_damping: f64, floor_speed: f64| {
         (stand.pair.normal_damping, stand.pair.floor_speed) = (normal_damping, floor_speed);
         let (scene, memory) = stand.split();
-        scene.solve(&position, &ROLLING, memory, None, None).err()
+        scene.solve(&BodyState { position, velocity: ROLLING }, memory).err()
     };
     assert_eq!(status(-0.1, 0.0), Some(Error::NormalDamping));
     assert_eq!(status(0.0, -0.1), Some(Error::FloorSpeed));

@@ -56,7 +56,8 @@ impl Over<'_> {
     }
 
     fn solve(&self, memory: &mut Workspace<f64>) -> Option<Wrench<f64>> {
-        let found = self.scene().solve(&self.position, &ROLLING, memory, None, None);
+        let found =
+            self.scene().solve(&BodyState { position: self.position, velocity: ROLLING }, memory);
         found.inspect_err(|error| println!("{:?}: {error}", self.position)).ok()
     }
 

@@ -38,7 +38,7 @@ fn on_rail(rail: &Surface<f64>, wheel: &Surface<f64>, pair: &WheelPair<f64>) -> 
     let (vertical, _) = scene.height_for_load(&position, 40e3, None, &mut memory).ok()?;
     let position = Position { vertical, ..position };
     let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-    Some(scene.solve(&position, &rolling, &mut memory, None, None).ok()?.warning)
+    Some(scene.solve(&BodyState { position, velocity: rolling }, &mut memory).ok()?.warning)
 }
 
 #[test]
@@ -97,7 +97,7 @@ fn wheels_on_rails_are_told_what_is_implausible() {
         let mut memory = zeroed::<Workspace<f64>>();
         let position = Position { vertical, ..Position::default() };
         let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-        let found = scene.solve(&position, &rolling, &mut memory, None, None);
+        let found = scene.solve(&BodyState { position, velocity: rolling }, &mut memory);
         assert_eq!(found.map(|found| found.warning), Ok(expected), "{pair:?}");
     }
     let pair = WheelPair { friction: 0.3, ..steel(0.46) };
@@ -170,7 +170,8 @@ fn coarse_profiles_are_smoothed_or_told() {
         let (vertical, _) = scene.height_for_load(&position, 80e3, None, &mut memory).unwrap();
         let position = Position { vertical, ..position };
         let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-        let warning = scene.solve(&position, &rolling, &mut memory, None, None).unwrap().warning;
+        let warning =
+            scene.solve(&BodyState { position, velocity: rolling }, &mut memory).unwrap().warning;
         let strips = memory.found().iter().flat_map(|contact| &contact.patch.strips);
         (strips.fold(0.0, |most, strip| strip.peak_pressure.max(most)), warning)
     };

@@ -39,12 +39,21 @@ fn errors(
     memory: &mut Workspace<f64>,
 ) -> [Option<f64>; 4] {
     let mut slopes = WrenchByPosition::default();
-    scene.solve(position, velocity, memory, None, Some(&mut slopes)).unwrap();
+    scene
+        .differentiate(
+            &BodyState { position: *position, velocity: *velocity },
+            memory,
+            Requested { by_velocity: None, by_position: Some(&mut slopes) },
+        )
+        .unwrap();
     let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
     let columns = [lateral, vertical, yaw, roll];
     std::array::from_fn(|k| {
         let mut at = |step: f64| {
-            let found = scene.solve(&moved(position, k, step), velocity, memory, None, None);
+            let found = scene.solve(
+                &BodyState { position: moved(position, k, step), velocity: *velocity },
+                memory,
+            );
             found.ok().map(|wrench| wrench.members())
         };
         let largest = |list: Members| list.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
@@ -166,7 +175,7 @@ fn derivatives_by_position_are_there_where_zones_begin() {
         };
         let mut count = |vertical: f64| {
             let position = Position { vertical, ..start };
-            scene.solve(&position, &velocity, &mut memory, None, None).unwrap();
+            scene.solve(&BodyState { position, velocity }, &mut memory).unwrap();
             zones(&memory)
         };
         let mut begins = Vec::new();
@@ -191,7 +200,11 @@ fn derivatives_by_position_are_there_where_zones_begin() {
         }) {
             let position = Position { vertical: begin + deeper, ..start };
             let mut slopes = WrenchByPosition::default();
-            let found = scene.solve(&position, &velocity, &mut memory, None, Some(&mut slopes));
+            let found = scene.differentiate(
+                &BodyState { position, velocity },
+                &mut memory,
+                Requested { by_velocity: None, by_position: Some(&mut slopes) },
+            );
             assert!(found.is_ok(), "{trial} {found:?} {position:?}");
             let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
             let all = [lateral, vertical, yaw, roll];

@@ -4,7 +4,7 @@
 use crate::manchester::Wheelset;
 use crate::prelude::*;
 use kstrip::wheel_rail::contacts::from_gap;
-use kstrip::wheel_rail::touch::{Gap, touch};
+use kstrip::wheel_rail::touch::{Gap, GapSearch};
 
 type Members = [f64; 6];
 
@@ -65,7 +65,7 @@ impl Stand {
         velocity: &Velocity<f64>,
     ) -> Wrench<f64> {
         let (scene, memory) = self.split();
-        scene.solve(position, velocity, memory, None, None).unwrap()
+        scene.solve(&BodyState { position: *position, velocity: *velocity }, memory).unwrap()
     }
 
     /// Derivatives with respect to velocity.
@@ -75,7 +75,13 @@ impl Stand {
         velocity: &Velocity<f64>,
     ) -> Box<WrenchDerivatives<f64>> {
         let (mut slopes, (scene, memory)) = (zeroed(), self.split());
-        scene.solve(position, velocity, memory, Some(&mut slopes), None).unwrap();
+        scene
+            .differentiate(
+                &BodyState { position: *position, velocity: *velocity },
+                memory,
+                Requested { by_velocity: Some(&mut slopes), by_position: None },
+            )
+            .unwrap();
         slopes
     }
 
@@ -264,7 +270,8 @@ fn the_rolling_radius_of_a_yawed_wheel_is_that_of_its_line_of_contact() {
     let (mut compared, mut farthest) = (0, 1.0_f64);
     for yaw in [-0.03, 0.0, 0.0236] {
         let position = Position { lateral: 6.7e-3 - OFFSET, vertical: 0.0, yaw, roll: 0.0 };
-        touch(rail, wheel, pair.wheel_radius, &position, 4e-3, &mut gap).unwrap();
+        let search = GapSearch::new(rail, wheel, pair.wheel_radius, &position).unwrap();
+        search.gap(4e-3, &mut gap).unwrap();
         let count = gap.count as usize;
         for k in (1..count - 1).filter(|k| gap.along[k + 1] - gap.along[k - 1] < 1e-3) {
             // (where the curvature jumps, two points say little)
@@ -705,7 +712,13 @@ fn derivatives_by_depth_are_those_of_double_precision() {
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
         let mut slopes = WrenchByPosition::default();
         let (double, own) = stand.split();
-        double.solve(&position, &velocity, own, None, Some(&mut slopes)).unwrap();
+        double
+            .differentiate(
+                &BodyState { position, velocity },
+                own,
+                Requested { by_velocity: None, by_position: Some(&mut slopes) },
+            )
+            .unwrap();
         let exact = {
             let h = 0.01 * load.powf(2.0 / 3.0) * 4e-8;
             let at = |d: f64| Position { vertical: position.vertical + d, ..position };
@@ -724,7 +737,13 @@ fn derivatives_by_depth_are_those_of_double_precision() {
         let mut slopes = WrenchByPosition::<f32>::default();
         let [forward, pitch] = [forward as f32, pitch as f32];
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
-        scene.solve(&position, &velocity, &mut memory, None, Some(&mut slopes)).unwrap();
+        scene
+            .differentiate(
+                &BodyState { position, velocity },
+                &mut memory,
+                Requested { by_velocity: None, by_position: Some(&mut slopes) },
+            )
+            .unwrap();
         let off = f64::from(slopes.vertical[2]) / exact - 1.0;
         assert!(off.abs() < 0.02, "{load}: {} against {exact}", slopes.vertical[2]);
     }
@@ -844,8 +863,9 @@ fn warnings_and_reach_have_their_bounds() {
     assert_eq!(warning(0.1, 100.0), Warning::OutsideRange);
     let mut gap = zeroed::<Gap<f64>>();
     let Stand { rail, wheel, pair, .. } = &stand;
+    let search = GapSearch::new(rail, wheel, pair.wheel_radius, &position).unwrap();
     let mut written = |reach: f64| {
-        touch(rail, wheel, pair.wheel_radius, &position, reach, &mut gap).unwrap();
+        search.gap(reach, &mut gap).unwrap();
         let distances = &gap.distance[..gap.count as usize];
         (distances.len(), distances.iter().fold(0.0, |most: f64, own| most.max(*own)))
     };

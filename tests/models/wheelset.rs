@@ -87,7 +87,7 @@ impl Stand {
         loads: &WheelsetLoads<f64>,
     ) -> Result<Settled<f64>, Error> {
         let (wheelset, memory) = self.split([NOTHING; 2]);
-        wheelset.settle(start, velocity, loads, memory)
+        wheelset.settle(&BodyState { position: *start, velocity: *velocity }, loads, memory)
     }
 
     fn solve(
@@ -97,7 +97,7 @@ impl Stand {
         rails: [RailMotion<f64>; 2],
     ) -> WheelsetForces<f64> {
         let (wheelset, memory) = self.split(rails);
-        wheelset.solve(position, velocity, memory, None, None).unwrap()
+        wheelset.solve(&BodyState { position: *position, velocity: *velocity }, memory).unwrap()
     }
 
     fn differences(&mut self, shifts: &[f64], with_roll: bool) -> Vec<f64> {
@@ -167,8 +167,8 @@ fn on_rollers() -> (Stand, State) {
 fn moving(mut stand: Stand, lateral: f64, yaw: f64, forward: f64) -> (Stand, State) {
     let rolls = Velocity { forward, ..ROLLS };
     let settled = stand.settle(&at(lateral, yaw), &rolls, &LOAD).unwrap();
-    let Position { vertical, roll, .. } = settled.position;
-    let pitch = settled.velocity.pitch;
+    let Position { vertical, roll, .. } = settled.state.position;
+    let pitch = settled.state.velocity.pitch;
     let (across, down) = (0.2e-3, 30e-6);
     let place =
         [0.0, lateral + across, vertical + down, roll, 0.0, yaw, across, down, across, down];
@@ -183,7 +183,13 @@ fn derivatives_are_those_of_differences() {
         let (position, velocity, rails) = state.parts();
         let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let (wheelset, memory) = stand.split(rails);
-        wheelset.solve(&position, &velocity, memory, Some(&mut by), Some(&mut moved)).unwrap();
+        wheelset
+            .differentiate(
+                &BodyState { position, velocity },
+                memory,
+                Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) },
+            )
+            .unwrap();
         let mut compare = |k: usize, step: f64, is_place: bool, allowed: f64| {
             let mut at = |step: f64| {
                 let mut changed = state;
@@ -281,7 +287,7 @@ fn settles_under_loads() {
         assert_relative_eq!(wrench.force[2], -vertical, max_relative = 1e-9);
         assert_relative_eq!(wrench.moment[0], -roll, epsilon = 1e-9 * vertical);
         assert_relative_eq!(wrench.moment[1], -pitch, epsilon = 1e-9 * vertical);
-        let again = stand.solve(&found.position, &found.velocity, [NOTHING; 2]);
+        let again = stand.solve(&found.state.position, &found.state.velocity, [NOTHING; 2]);
         assert_eq!(ten(&again), ten(&found.forces));
     }
     let mut refused = |vertical: f64, roll: f64, pitch: f64| {
@@ -302,8 +308,13 @@ fn a_coned_wheelset_has_the_wave_of_klingel() {
         let settled = stand.settle(&at(0.0, 0.0), &ROLLS, &LOAD).unwrap();
         let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let (wheelset, memory) = stand.split([NOTHING; 2]);
-        let Settled { position, velocity, .. } = settled;
-        wheelset.solve(&position, &velocity, memory, Some(&mut by), Some(&mut moved)).unwrap();
+        wheelset
+            .differentiate(
+                &settled.state,
+                memory,
+                Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) },
+            )
+            .unwrap();
         // rates of y and yaw, pitch rate, height and roll that balance a change of y or of yaw
         let columns = [by.velocity, by.velocity, by.velocity, moved.position, moved.position];
         let freedoms = [1, 5, 4, 2, 3];
@@ -457,7 +468,7 @@ fn a_sliding_flange_has_the_limit_of_nadal() {
             position.vertical = found.unwrap().0;
             velocity.pitch = -20.0 / memory.found()[0].radius;
         }
-        let wrench = scene.solve(&position, &velocity, memory, None, None).unwrap();
+        let wrench = scene.solve(&BodyState { position, velocity }, memory).unwrap();
         assert_eq!(wrench.contacts, 1);
         let [_, y, q] = wrench.force;
         let angle = memory.found()[0].angle.to_degrees();

@@ -73,7 +73,8 @@ pub extern "C" fn kstrip_touch(
 ) -> kstrip_status {
     answer(|| {
         let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
-        put(least, touch::touch(rail, wheel, wheel_radius, position, reach, given(gap)?)?);
+        let gap = given(gap)?;
+        put(least, GapSearch::new(rail, wheel, wheel_radius, position)?.gap(reach, gap)?);
         Ok(Warning::None)
     })
 }
@@ -223,12 +224,10 @@ pub extern "C" fn kstrip_wheel_on_rail(
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(wrench)?);
-        let (mut slopes, mut moved) = (WrenchDerivatives::default(), WrenchByPosition::default());
-        let wanted = derivatives.is_some().then_some(&mut slopes);
-        let by = by_position.is_some().then_some(&mut moved);
-        let found = scene.solve(position, velocity, memory, wanted, by)?;
-        put(derivatives, slopes);
-        put(by_position, moved);
+        let state = BodyState { position: *position, velocity: *velocity };
+        let found = with_requested(derivatives, by_position, |requested| {
+            scene.differentiate(&state, memory, requested)
+        })?;
         out.write(found);
         Ok(found.warning)
     })

@@ -107,13 +107,10 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
         on_track(set, track, |wheelset| {
             let (position, velocity) = (given(position)?, given(velocity)?);
             let (memory, out) = (given(workspace)?, given(forces)?);
-            let (mut slopes, mut moved) =
-                (WheelsetDerivatives::default(), WheelsetByPosition::default());
-            let by = derivatives.is_some().then_some(&mut slopes);
-            let places = by_position.is_some().then_some(&mut moved);
-            let found = wheelset.solve(position, velocity, memory, by, places)?;
-            put(derivatives, slopes);
-            put(by_position, moved);
+            let state = BodyState { position: *position, velocity: *velocity };
+            let found = with_requested(derivatives, by_position, |requested| {
+                wheelset.differentiate(&state, memory, requested)
+            })?;
             out.write(found);
             Ok(found.wrench.warning)
         })
@@ -151,11 +148,12 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
     // SAFETY: the pointers in the structures are NULL or valid, says the header.
     unsafe {
         on_track(set, track, |wheelset| {
-            let (start, velocity, loads) = (given(start)?, given(velocity)?, given(loads)?);
-            let (memory, position, moves) = (given(workspace)?, given(position)?, given(moves)?);
-            let found = wheelset.settle(start, velocity, loads, memory)?;
-            position.write(found.position);
-            moves.write(found.velocity);
+            let start = BodyState { position: *given(start)?, velocity: *given(velocity)? };
+            let (loads, memory) = (given(loads)?, given(workspace)?);
+            let (position, moves) = (given(position)?, given(moves)?);
+            let found = wheelset.settle(&start, loads, memory)?;
+            position.write(found.state.position);
+            moves.write(found.state.velocity);
             put(forces, found.forces);
             Ok(found.warning)
         })
