@@ -153,7 +153,7 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// Forces of a contact, which was checked if there is a law.
     pub fn solve(&self, contact: &Contact<F>) -> Result<FrictionSolution<F>, Error> {
         let (contact, warning) = self.with_friction(contact)?;
-        let mut solution = self.forces_behind(&self.behind_layer(), &contact)?;
+        let mut solution = self.forces_at_friction(&contact)?;
         solution.warning = solution.warning.worse(warning);
         Ok(FrictionSolution { solution, friction: contact.friction })
     }
@@ -170,17 +170,19 @@ impl<'a, F: Float> InMotion<'a, F> {
         if self.options.model == Model::Linear || !law.falls() || nothing {
             return Ok((contact, Warning::None));
         }
-        let behind = self.behind_layer();
+        // (by reference: a closure takes the members of a structure one by one, and what is stored
+        // so is read slowly as pairs)
+        let of_largest = &contact;
         let next = |friction| {
-            let contact = Contact { friction, ..contact };
+            let contact = Contact { friction, ..*of_largest };
             let bound = contact.friction_bound();
             if bound > F::zero() {
-                return Ok(law.at(self.forces_behind(&behind, &contact)?.power / bound));
+                return Ok(law.at(self.forces_at_friction(&contact)?.power / bound));
             }
             // The limit of full sliding: s = (∂P/∂μ)/N
-            let slopes = match &behind {
-                Some(through) if SlipFriction::<F>::HAS_LAYER => through.differentiate(&contact)?.1,
-                _ => solve_with_slopes(&contact, self.creepage, self.options)?.1,
+            let slopes = match self.behind_layer() {
+                Some(through) => through.differentiate(&contact)?.1,
+                None => solve_with_slopes(&contact, self.creepage, self.options)?.1,
             };
             let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(law.at(power / contact.normal_force))
@@ -194,23 +196,16 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// The model behind the layer of the law, if there is one.
     #[inline]
     pub fn behind_layer(&self) -> Option<ThroughLayer<'a, F>> {
-        if !SlipFriction::<F>::HAS_LAYER {
-            return None;
-        }
         let law = self.law.filter(|law| law.has_interface())?;
         Some(ThroughLayer { law, creepage: self.creepage, options: self.options })
     }
 
     /// Forces of a contact that has the stiffness and the friction of the law, behind its layer.
     #[inline(always)]
-    fn forces_behind(
-        &self,
-        layer: &Option<ThroughLayer<F>>,
-        contact: &Contact<F>,
-    ) -> Result<Solution<F>, Error> {
-        match layer {
-            Some(through) if SlipFriction::<F>::HAS_LAYER => through.solve(contact),
-            _ => forces::forces_of_contact(contact, self.creepage, self.options),
+    fn forces_at_friction(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
+        match self.behind_layer() {
+            Some(through) => through.solve(contact),
+            None => forces::forces_of_contact(contact, self.creepage, self.options),
         }
     }
 }
