@@ -5,7 +5,7 @@ pub(crate) mod one_by_one;
 pub(crate) mod side_by_side;
 
 use crate::batch::one_by_one::{
-    Case, Found, Gathered, MOST, differentiate_each, solve_each, try_each,
+    Case, DifferentiatedCase, Found, MOST, differentiate_each, solve_each, try_each,
 };
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
@@ -126,7 +126,7 @@ pub(crate) fn differentiate_batch<F: Float>(
     count: usize,
     options: &Options,
     get: impl Fn(usize) -> Case<F>,
-    mut put: impl FnMut(usize, &Gathered<F>),
+    mut put: impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| {
         InMotion { creepage, law: law.as_ref(), options }.check_differentiable(contact)

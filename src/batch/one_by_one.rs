@@ -19,8 +19,9 @@ pub(super) const MOST: usize = 16;
 /// A contact in motion and, where friction falls with the slip, its law.
 pub(crate) type Case<F> = (Contact<F>, Creepage<F>, Option<SlipFriction<F>>);
 
-/// Forces and derivatives of a contact, where they stand.
-pub(crate) struct Gathered<'a, F: Float> {
+/// Forces and derivatives of a contact of a batch, by reference: of one without a law the
+/// derivatives with respect to its parameters are computed only if they are requested.
+pub(crate) struct DifferentiatedCase<'a, F: Float> {
     pub(crate) solution: &'a Solution<F>,
     /// The coefficient of friction that agrees with the slip.
     pub(crate) friction: F,
@@ -32,7 +33,7 @@ pub(crate) struct Gathered<'a, F: Float> {
     pub(super) law: Option<&'a LawDerivatives<F>>,
 }
 
-impl<F: Float> Gathered<'_, F> {
+impl<F: Float> DifferentiatedCase<'_, F> {
     /// Derivatives with respect to the parameters of the law, or those of constant friction.
     pub(crate) fn law(&self) -> LawDerivatives<F> {
         self.law.copied().unwrap_or_else(|| {
@@ -67,7 +68,7 @@ pub(crate) fn differentiate_each<F: Float>(
     numbers: core::ops::Range<usize>,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Gathered<F>),
+    put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Found<Warning> {
     let mut worst = Warning::None;
     try_each(numbers, |i| {
@@ -78,15 +79,15 @@ pub(crate) fn differentiate_each<F: Float>(
         let found = if law.is_none() {
             plain = solve_with_slopes(&contact, creepage, options);
             let (solution, slopes) = plain.as_ref().map_err(|error| *error)?;
-            let (friction, by_mismatch) = (contact.friction, Some(&slopes.by_mismatch));
+            let (friction, by_mismatch) = (contact.friction, Some(&slopes.by_mismatch.forces));
             let derivatives = &slopes.derivatives;
-            Gathered { solution, friction, derivatives, creepage, by_mismatch, law: None }
+            DifferentiatedCase { solution, friction, derivatives, creepage, by_mismatch, law: None }
         } else {
             under = InMotion { creepage, law: law.as_ref(), options }.differentiate(&contact);
             let Differentiated { solution, friction, derivatives, law, .. } =
                 under.as_ref().map_err(|error| *error)?;
             let (friction, law) = (*friction, Some(law));
-            Gathered { solution, friction, derivatives, creepage, by_mismatch: None, law }
+            DifferentiatedCase { solution, friction, derivatives, creepage, by_mismatch: None, law }
         };
         put(i, &found);
         if found.solution.warning != Warning::None {

@@ -9,7 +9,7 @@
 
 #![allow(unsafe_code)]
 
-use crate::batch::one_by_one::{self, Case, Found, Gathered, MOST};
+use crate::batch::one_by_one::{self, Case, DifferentiatedCase, Found, MOST};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{Derivatives, with_slopes};
@@ -48,7 +48,7 @@ pub(super) fn differentiate_side_by_side<F: Float>(
     count: usize,
     options: &Options,
     get: &impl Fn(usize) -> Case<F>,
-    put: &mut impl FnMut(usize, &Gathered<F>),
+    put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Option<Found<Warning>> {
     let together = has_avx()
         && matches!(options.model, Model::Total | Model::Linear)
@@ -185,7 +185,7 @@ macro_rules! compiled_for {
                 numbers: Range<usize>,
                 options: &Options,
                 get: &impl Fn(usize) -> Case<F>,
-                put: &mut impl FnMut(usize, &Gathered<F>),
+                put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
             ) -> Found<Warning> {
                 let mut worst = Warning::None;
                 let (first, end) = whole_groups(&numbers, F::$contacts::COUNT);
@@ -210,7 +210,7 @@ macro_rules! compiled_for {
                         let solution = &together.solution_of(k);
                         worst = worst.worse(solution.warning);
                         let (by_mismatch, law) = (None, None);
-                        let found = Gathered {
+                        let found = DifferentiatedCase {
                             solution,
                             friction,
                             derivatives,

@@ -115,18 +115,32 @@ pub(crate) fn solve_with_slopes<F: Float>(
     Ok((solution, slopes))
 }
 
-/// Derivatives, and the intermediate results for those through friction and motion.
+/// Derivatives of the forces \[N, N, N m\] and of the power divided by rolling speed \[N\] with
+/// respect to one quantity.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Sensitivity<F> {
+    pub forces: [F; 3],
+    pub power: F,
+}
+
+impl<F: Float> Sensitivity<F> {
+    /// That of forces and power which have factors.
+    pub(crate) fn scaled(&self, of_forces: F, of_power: F) -> Self {
+        Self { forces: scaled(self.forces, of_forces), power: self.power * of_power }
+    }
+}
+
+/// Derivatives at a constant coefficient of friction, and the intermediate results for those
+/// through friction and motion.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Slopes<F> {
     pub derivatives: Derivatives<F>,
-    /// `κ ∂F/∂κ` \[N, N, N m\]
-    pub by_mismatch: [F; 3],
     /// The creepage of the contact with that of the pressure, `w`.
     pub seen: Creepage<F>,
     /// Derivatives of the power divided by rolling speed with respect to the creepages \[N\].
     pub power_by_creepage: [F; 3],
-    /// `κ ∂P/∂κ`
-    pub power_by_mismatch: F,
+    /// `κ ∂/∂κ`
+    pub by_mismatch: Sensitivity<F>,
 }
 
 impl<F: Float> Slopes<F> {
@@ -137,19 +151,15 @@ impl<F: Float> Slopes<F> {
         seen: &Creepage<F>,
         force: [F; 3],
     ) -> Self {
-        let none = F::zero();
-        let mut found = Self {
-            derivatives,
-            by_mismatch: [none; 3],
-            seen: *seen,
-            power_by_creepage: force,
-            power_by_mismatch: none,
-        };
+        let none = Sensitivity { forces: [F::zero(); 3], power: F::zero() };
+        let mut found =
+            Self { derivatives, seen: *seen, power_by_creepage: force, by_mismatch: none };
         if let Some(Shift { by_creepage, by_mismatch, .. }) = shift {
             // κ ∂F/∂κ = ∂F/∂υx κ ∂Δ/∂κ,   ∂F/∂c = ∂F/∂w + ∂F/∂υx ∂Δ/∂c
             let [fx, ..] = force;
-            found.by_mismatch = derivatives.jacobian.map(|[by_x, ..]| by_x * by_mismatch);
-            found.power_by_mismatch = seen.power(found.by_mismatch) + fx * by_mismatch;
+            let forces = derivatives.jacobian.map(|[by_x, ..]| by_x * by_mismatch);
+            let power = seen.power(forces) + fx * by_mismatch;
+            found.by_mismatch = Sensitivity { forces, power };
             for row in &mut derivatives.jacobian {
                 let [by_x, ..] = *row;
                 for (entry, moves) in row.iter_mut().zip(by_creepage) {

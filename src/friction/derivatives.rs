@@ -1,10 +1,15 @@
 //! Derivatives through friction that falls with the slip.
+//!
+//! A model gives the derivatives at constant friction: its `Slopes`, those with respect to the
+//! layer (`InterfaceSlopes`) and, for patches, to the strips' own creepages
+//! (`OwnCreepageSlopes`), each of forces and power (`Sensitivity`). With the change of friction,
+//! which `AtFriction::through` adds, they are [`Differentiated`].
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces::derivatives::{Derivatives, Slopes, solve_with_slopes};
+use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, solve_with_slopes};
 use crate::forces::options::{Model, Options, Solution};
-use crate::friction::layered::{LayerSlopes, ThroughLayer};
+use crate::friction::layered::{InterfaceSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, few_are_finite};
 use crate::status::{Error, Warning};
@@ -27,17 +32,17 @@ pub struct LawDerivatives<F> {
     pub layer: [F; 3],
 }
 
-/// Derivatives with respect to a factor of the creepages that parts of a contact have besides its
-/// own: of the forces, of the power, and of both without the spin.
+/// Derivatives with respect to a factor of the creepages that the strips of a patch have besides
+/// those of the patch.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct BesidesSlopes<F> {
-    pub forces: [F; 3],
-    pub power: F,
-    pub translation: [F; 3],
-    pub power_translation: F,
+pub(crate) struct OwnCreepageSlopes<F> {
+    /// With respect to a factor of all three.
+    pub all: Sensitivity<F>,
+    /// With respect to a factor of all but the spin.
+    pub translation: Sensitivity<F>,
 }
 
-/// Power at the friction of a law, and derivatives while friction stays.
+/// A contact at the friction of a law, with its derivatives at constant friction.
 pub(crate) struct AtFriction<F: Float> {
     /// Derivatives at constant `μ`
     pub slopes: Slopes<F>,
@@ -45,8 +50,8 @@ pub(crate) struct AtFriction<F: Float> {
     pub power: F,
     /// `(υx, υy, φ)`
     pub motion: Creepage<F>,
-    /// Of creepages besides these.
-    pub besides: BesidesSlopes<F>,
+    /// Derivatives with respect to creepages besides these.
+    pub own: OwnCreepageSlopes<F>,
     /// `μ`
     pub friction: F,
     /// `N`
@@ -72,11 +77,10 @@ impl<F: Float> AtFriction<F> {
         &self,
         law: &SlipFriction<F>,
         falls: bool,
-        of_layer: Option<&LayerSlopes<F>>,
+        of_interface: Option<&InterfaceSlopes<F>>,
     ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
-        let Self { power, motion, besides, friction, load, .. } = *self;
-        let Slopes { derivatives, by_mismatch, seen, power_by_creepage, power_by_mismatch } =
-            &self.slopes;
+        let Self { power, motion, own, friction, load, .. } = *self;
+        let Slopes { derivatives, seen, power_by_creepage, by_mismatch } = &self.slopes;
         let along = |by: &[F; 3]| motion.power(*by);
         let by_friction = derivatives.friction;
         let bound = friction * load;
@@ -90,12 +94,11 @@ impl<F: Float> AtFriction<F> {
         let rate = if moves { by.slip } else { F::zero() };
         let over_bound = |power: F| if carries { power / bound } else { F::zero() };
         let [power_by_x, power_by_y, _] = *power_by_creepage;
-        let translation = power_by_x * motion.longitudinal
-            + power_by_y * motion.lateral
-            + besides.power_translation;
-        let slip_by_load = over_bound(power - (along(power_by_creepage) + besides.power));
+        let translation =
+            power_by_x * motion.longitudinal + power_by_y * motion.lateral + own.translation.power;
+        let slip_by_load = over_bound(power - (along(power_by_creepage) + own.all.power));
         let mut slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
-        let slip_by_mismatch = over_bound(*power_by_mismatch);
+        let slip_by_mismatch = over_bound(by_mismatch.power);
         let by_size = slip_by_load - slip_by_mismatch;
         let slip_by_friction = if carries { by_size / friction } else { F::zero() };
         let feedback = F::one() / (F::one() - rate * slip_by_friction);
@@ -115,18 +118,19 @@ impl<F: Float> AtFriction<F> {
         let stiffness = law.slope_or_one();
         let mut by_stiffness = derivatives.jacobian.map(|row| along(&row));
         for ((entry, by_mismatch), own) in
-            by_stiffness.iter_mut().zip(by_mismatch).zip(besides.forces)
+            by_stiffness.iter_mut().zip(by_mismatch.forces).zip(own.all.forces)
         {
-            *entry = (*entry + own + *by_mismatch) / stiffness;
+            *entry = (*entry + own + by_mismatch) / stiffness;
         }
         let none = [F::zero(); 3];
         let (mut by_slide, mut by_layer) = (none, none);
-        if let Some(LayerSlopes { forces, power, layer }) = of_layer {
-            let [layer_power, slide_power] = power.map(over_bound);
+        if let Some(interface) = of_interface {
+            let [of_layer, of_slide] = [&interface.by_layer, &interface.by_slide];
+            let [layer_power, slide_power] = [of_layer.power, of_slide.power].map(over_bound);
             // λ ~ N^{−1/3} through Hertz
-            slip_through_hertz -= (*layer * layer_power).times(1.0 / 3.0);
-            by_layer = shifted(&forces[0], rate * layer_power);
-            by_slide = shifted(&forces[1], rate * slide_power);
+            slip_through_hertz -= (interface.layer * layer_power).times(1.0 / 3.0);
+            by_layer = shifted(&of_layer.forces, rate * layer_power);
+            by_slide = shifted(&of_slide.forces, rate * slide_power);
         }
         let Derivatives { normal_force, load_through_hertz, .. } = derivatives;
         let through = Derivatives {
@@ -143,7 +147,7 @@ impl<F: Float> AtFriction<F> {
             slide_factor: by_slide,
             layer: by_layer,
         };
-        (through, law, shifted(by_mismatch, rate * slip_by_mismatch))
+        (through, law, shifted(&by_mismatch.forces, rate * slip_by_mismatch))
     }
 }
 
@@ -151,7 +155,7 @@ fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] 
     [[a, d, g], [b, e, h], [c, f, i]]
 }
 
-/// What [`differentiate_with_law`] returns.
+/// Forces and all derivatives of a contact: the result of [`differentiate_with_law`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differentiated<F: Float> {
     /// The forces.
@@ -220,8 +224,8 @@ impl<F: Float> InMotion<'_, F> {
         of: Warning,
     ) -> Result<Differentiated<F>, Error> {
         let solved = through.differentiate(contact);
-        let (solution, slopes, of_layer) = solved.as_ref().map_err(|error| *error)?;
-        self.through_law(contact, (solution, slopes, Some(of_layer)), of)
+        let (solution, slopes, of_interface) = solved.as_ref().map_err(|error| *error)?;
+        self.through_law(contact, (solution, slopes, Some(of_interface)), of)
     }
 
     /// All derivatives from those at constant friction.
@@ -230,23 +234,24 @@ impl<F: Float> InMotion<'_, F> {
     fn through_law(
         &self,
         contact: &Contact<F>,
-        (solution, slopes, of_layer): (&Solution<F>, &Slopes<F>, Option<&LayerSlopes<F>>),
+        found: (&Solution<F>, &Slopes<F>, Option<&InterfaceSlopes<F>>),
         of_friction: Warning,
     ) -> Result<Differentiated<F>, Error> {
+        let (solution, slopes, of_interface) = found;
         let solution = Solution { warning: solution.warning.worse(of_friction), ..*solution };
         let (friction, motion) = (contact.friction, *self.creepage);
         let has_law = SlipFriction::<F>::HAS_LAW && !contact.is_lost();
         let Some(law) = self.law.filter(|_| has_law) else {
-            let Slopes { derivatives, by_mismatch, .. } = *slopes;
+            let (derivatives, by_mismatch) = (slopes.derivatives, slopes.by_mismatch.forces);
             let law = without_law(&derivatives, by_mismatch, &motion);
             Error::Overflow.unless(few_are_finite(&law.slope_factor))?;
             return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
         };
         let (power, load) = (solution.power, contact.normal_force);
-        let besides = BesidesSlopes::default();
-        let at = AtFriction { slopes: *slopes, power, motion, besides, friction, load };
+        let own = OwnCreepageSlopes::default();
+        let at = AtFriction { slopes: *slopes, power, motion, own, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
-        let (derivatives, law, by_mismatch) = at.through(law, falls, of_layer);
+        let (derivatives, law, by_mismatch) = at.through(law, falls, of_interface);
         let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
         Error::Overflow.unless(fit)?;
         Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })

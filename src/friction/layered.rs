@@ -11,7 +11,9 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
-use crate::forces::derivatives::{Derivatives, Slopes, through_shift, without_friction};
+use crate::forces::derivatives::{
+    Derivatives, Sensitivity, Slopes, through_shift, without_friction,
+};
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
 use crate::forces::warning::warning_of;
@@ -34,18 +36,18 @@ struct Layered<F, M> {
     interface: Interface<F>,
 }
 
-/// Forces, their derivatives while friction stays, and those by layer and slide factor.
-pub(crate) type WithSlopes<F> = (Solution<F>, Slopes<F>, LayerSlopes<F>);
+/// Forces, their derivatives at constant friction, and those by layer and slide factor.
+pub(crate) type WithSlopes<F> = (Solution<F>, Slopes<F>, InterfaceSlopes<F>);
 
 /// Derivatives with respect to layer and slide factor at constant friction.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct LayerSlopes<F> {
-    /// Of the forces \[N, N, N m\].
-    pub forces: [[F; 3]; 2],
-    /// Of the power over rolling speed \[N\].
-    pub power: [F; 2],
+pub(crate) struct InterfaceSlopes<F> {
     /// The layer `h/G₃` \[m/Pa\].
     pub layer: F,
+    /// With respect to the layer.
+    pub by_layer: Sensitivity<F>,
+    /// With respect to the slide factor.
+    pub by_slide: Sensitivity<F>,
 }
 
 impl<F: Real, M: Theory<F>> Layered<F, M> {
@@ -200,10 +202,11 @@ impl<F: Float> ThroughLayer<'_, F> {
         let frame = &ScaledContact::new(contact);
         let none = WithSlopes::default();
         let found = by_model!(self.options.model, F, differentiate_in(self, frame, ordinary), none);
-        let (_, slopes, of_layer) = &found;
+        let (_, slopes, InterfaceSlopes { by_layer, by_slide, .. }) = &found;
         let fit = are_finite(&slopes.derivatives.entries())
-            && are_finite(of_layer.forces.as_flattened())
-            && are_finite(&of_layer.power);
+            && are_finite(&by_layer.forces)
+            && are_finite(&by_slide.forces)
+            && are_finite(&[by_layer.power, by_slide.power]);
         Error::Overflow.unless(fit).map(|()| found)
     }
 }
@@ -251,9 +254,9 @@ fn differentiate_in<F: Float, M: Theory<F>>(
     // by λ = h G/(G₃ a) to that by h/G₃
     let unit = contact.shear_modulus / through.law.slope_or_one() / contact.a;
     let [of_layer, of_slide] = by_interface;
-    let forces = [of_layer.map(|slope| slope * unit), of_slide];
-    let power = forces.map(|slopes| seen.power(slopes));
-    (solution, slopes, LayerSlopes { forces, power, layer: through.law.layer })
+    let [by_layer, by_slide] = [of_layer.map(|slope| slope * unit), of_slide]
+        .map(|forces| Sensitivity { forces, power: seen.power(forces) });
+    (solution, slopes, InterfaceSlopes { layer: through.law.layer, by_layer, by_slide })
 }
 
 impl<F: Float, M: Theory<F>> Layered<F, M> {

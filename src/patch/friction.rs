@@ -21,10 +21,10 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
-use crate::forces::derivatives::{Derivatives, Slopes};
+use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
 use crate::forces::{Model, Solution, StripResult};
-use crate::friction::derivatives::{AtFriction, BesidesSlopes, Differentiated, LawDerivatives};
-use crate::friction::layered::LayerSlopes;
+use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, OwnCreepageSlopes};
+use crate::friction::layered::InterfaceSlopes;
 use crate::friction::{FrictionEquation, SlipFriction};
 use crate::layer::Interface;
 use crate::number::{Dual, Float};
@@ -217,7 +217,7 @@ pub fn differentiate_patch<F: Float>(
         None => (F::one(), Warning::None),
     };
     let scaled = problem.scaled(share)?;
-    let ((found, slopes, of_layer), besides) = scaled.problem()?.with_slopes()?;
+    let ((found, slopes, interface), own) = scaled.problem()?.with_slopes()?;
     let Scaled { creepage: scaled, factor, .. } = scaled;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
@@ -231,7 +231,8 @@ pub fn differentiate_patch<F: Float>(
     // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
     // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let [layer_x, layer_y, layer_z] = of_layer.forces[0].map(|slope| slope * of_layer.layer);
+    let [layer_x, layer_y, layer_z] =
+        interface.by_layer.forces.map(|slope| slope * interface.layer);
     let others =
         |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
             let [by_mismatch, by_layer] = by_others;
@@ -241,8 +242,8 @@ pub fn differentiate_patch<F: Float>(
             [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
         };
     let [x, y, z] = rows;
-    let [by_x, by_y, by_z] = slopes.by_mismatch;
-    let ([ox, oy, oz], [tx, ty, tz]) = (besides.forces, besides.translation);
+    let [by_x, by_y, by_z] = slopes.by_mismatch.forces;
+    let ([ox, oy, oz], [tx, ty, tz]) = (own.all.forces, own.translation.forces);
     let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
         others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
         others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),
@@ -255,31 +256,26 @@ pub fn differentiate_patch<F: Float>(
         friction: [mx, my, mz],
     };
     let friction = share * mean;
-    // P = λ²/k P(k c/λ)
+    // F = λ f(k c/λ),  P = λ²/k P(k c/λ)
+    let scaled = |of: &Sensitivity<F>| of.scaled(share, share / factor);
     let slopes = Slopes {
         derivatives,
-        by_mismatch: slopes.by_mismatch.map(|slope| slope * share),
         seen: *creepage,
         power_by_creepage: slopes.power_by_creepage.map(|slope| slope * share),
-        power_by_mismatch: slopes.power_by_mismatch * (share / factor),
+        by_mismatch: scaled(&slopes.by_mismatch),
     };
-    let of_layer = LayerSlopes {
-        forces: of_layer.forces.map(|column| column.map(|slope| slope * share)),
-        power: of_layer.power.map(|slope| slope * (share / factor)),
-        ..of_layer
+    let interface = InterfaceSlopes {
+        layer: interface.layer,
+        by_layer: scaled(&interface.by_layer),
+        by_slide: scaled(&interface.by_slide),
     };
     // (the forces are homogeneous: those of the creepages times k/λ)
-    let besides = BesidesSlopes {
-        forces: besides.forces.map(|slope| slope * share),
-        power: besides.power * (share / factor),
-        translation: besides.translation.map(|slope| slope * share),
-        power_translation: besides.power_translation * (share / factor),
-    };
+    let own = OwnCreepageSlopes { all: scaled(&own.all), translation: scaled(&own.translation) };
     let (power, motion) = (solution.power, *creepage);
-    let at = AtFriction { slopes, power, motion, besides, friction, load };
+    let at = AtFriction { slopes, power, motion, own, friction, load };
     let law = SlipFriction { friction: mean, ..*given };
     let (derivatives, law, by_mismatch) =
-        at.through(&law, law.falls(), problem.behind.is_some().then_some(&of_layer));
+        at.through(&law, law.falls(), problem.behind.is_some().then_some(&interface));
     let entries = derivatives.entries().into_iter().chain(law.entries());
     if entries.into_iter().all(F::is_finite_number) {
         Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })

@@ -21,12 +21,12 @@ use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::contact::totals::Totals;
-use crate::forces::derivatives::{Derivatives, Slopes};
+use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
 use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
-use crate::friction::derivatives::BesidesSlopes;
-use crate::friction::layered::{LayerSlopes, WithSlopes};
+use crate::friction::derivatives::OwnCreepageSlopes;
+use crate::friction::layered::{InterfaceSlopes, WithSlopes};
 use crate::layer::Interface;
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Dual, Float, Number, add, are_finite};
@@ -235,6 +235,14 @@ impl<F: Float> PatchSums<F> {
     }
 }
 
+impl<F: Float> PatchSums<Dual<F, 3>> {
+    /// Derivatives in a direction.
+    fn sensitivity(&self, direction: usize) -> Sensitivity<F> {
+        let forces = self.forces.map(|sum| sum.derivative(direction));
+        Sensitivity { forces, power: self.power.derivative(direction) }
+    }
+}
+
 impl<F: Float> Problem<'_, F> {
     /// Forces; see [`solve_patch`].
     pub fn solution(&self) -> Solution<F> {
@@ -272,11 +280,11 @@ impl<F: Float> Problem<'_, F> {
 
     /// Forces with the derivatives with respect to the creepages, all others zero; and those with
     /// respect to the layer, and to a factor of the strips' own creepages.
-    pub fn with_slopes(&self) -> Result<(WithSlopes<F>, BesidesSlopes<F>), Error> {
+    pub fn with_slopes(&self) -> Result<(WithSlopes<F>, OwnCreepageSlopes<F>), Error> {
         let Self { view: patch, creepage, model, behind } = *self;
         let sums = |by: By| self.sums(&PatchSlip::with_slopes(creepage, behind, by), |_, _| ());
         let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
-        let (mut besides, mut number) = (BesidesSlopes::default(), 0);
+        let (OwnCreepageSlopes { mut all, mut translation }, mut number) = Default::default();
         let found = self.sums(&inputs, |strip, share| {
             let Some(own) = patch.own(number) else { return };
             number += 1;
@@ -285,42 +293,38 @@ impl<F: Float> Problem<'_, F> {
             let moved =
                 |of: Dual<F, 3>| of.derivative(0) * longitudinal + of.derivative(1) * lateral;
             let power = share.power(&inputs.creepage);
-            let entries = besides.forces.iter_mut().zip(&mut besides.translation);
-            for ((all, translation), force) in entries.zip([share.fx, share.fy, share.mz]) {
-                *all += moved(force) + force.derivative(2) * own.spin;
-                *translation += moved(force);
-            }
-            besides.power += moved(power) + power.derivative(2) * own.spin;
-            besides.power_translation += moved(power);
+            let turned = |of: Dual<F, 3>| moved(of) + of.derivative(2) * own.spin;
+            let forces = [share.fx, share.fy, share.mz];
+            add(&mut all.forces, forces.map(turned));
+            add(&mut translation.forces, forces.map(moved));
+            all.power += turned(power);
+            translation.power += moved(power);
         });
         let PatchSums { forces, power, adhesion } = found;
         let jacobian = forces.map(|sum| sum.gradient);
         let mut slopes = Slopes {
             derivatives: Derivatives { jacobian, ..Derivatives::default() },
-            by_mismatch: [F::zero(); 3],
             seen: *creepage,
             power_by_creepage: power.gradient,
-            power_by_mismatch: F::zero(),
+            by_mismatch: Sensitivity::default(),
         };
         if patch.mismatch() != F::zero() && !model.is_of_1967() {
-            let PatchSums { forces, power, .. } = sums(By::Mismatch);
-            slopes.by_mismatch = forces.map(|sum| sum.derivative(0));
-            slopes.power_by_mismatch = power.derivative(0);
+            slopes.by_mismatch = sums(By::Mismatch).sensitivity(0);
         }
-        let mut of_layer = LayerSlopes::default();
+        let mut interface = InterfaceSlopes::default();
         if let Some(Interface { layer, .. }) = behind {
-            let PatchSums { forces, power, .. } = sums(By::Layer);
-            let unit = patch.shear_modulus();
-            of_layer.forces[0] = forces.map(|sum| sum.derivative(0) * unit);
-            of_layer.forces[1] = forces.map(|sum| sum.derivative(1));
-            of_layer.power = [power.derivative(0) * unit, power.derivative(1)];
-            of_layer.layer = layer / unit;
+            let (found, unit) = (sums(By::Layer), patch.shear_modulus());
+            let (by_layer, by_slide) =
+                (found.sensitivity(0).scaled(unit, unit), found.sensitivity(1));
+            interface = InterfaceSlopes { layer: layer / unit, by_layer, by_slide };
         }
-        let others = slopes.by_mismatch.iter().chain(of_layer.forces.as_flattened());
-        let mut entries = jacobian.iter().flatten().chain(others);
+        let InterfaceSlopes { by_layer, by_slide, .. } = &interface;
+        let others = [&slopes.by_mismatch, by_layer, by_slide].map(|by| &by.forces);
+        let mut entries = jacobian.iter().chain(others).flatten();
         Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
         let values = PatchSums { forces: forces.map(Dual::value), power: power.value, adhesion };
-        Ok(((values.solution(self.warning()), slopes, of_layer), besides))
+        let own = OwnCreepageSlopes { all, translation };
+        Ok(((values.solution(self.warning()), slopes, interface), own))
     }
 
     /// Passes every strip to `visit`; see [`patch_strips`].
