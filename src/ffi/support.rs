@@ -11,7 +11,7 @@ pub(super) use crate::forces::derivatives::Derivatives;
 pub(super) use crate::forces::field::FieldPoint;
 pub(super) use crate::forces::prepared::Prepared;
 pub(super) use crate::forces::theory::{
-    EllipseStrips, Linear, Strip1967, Total, solution_of, write_forces,
+    EllipseStrips, Linear, Strip1967, Theory, Total, solution_of, write_forces,
 };
 pub(super) use crate::forces::{self, Model, Options, Solution, StripResult};
 pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate_with_law};

@@ -24,6 +24,10 @@
 //! step. The traction is added up in `u` in adhesion and, where it slides, in the angle `α` of `x =
 //! cos α`, in which the bound is smooth, both by Simpson's rule. A bristle sticks again where the
 //! tractions on its way keep the bound by themselves.
+//!
+//! **Derivatives** follow by hand from the way in adhesion and from the tractions at the places of
+//! the step ([`composed`](Arithmetic::composed)): only these pass from formula to formula with all
+//! their derivatives.
 
 use crate::number::{Arithmetic, Float, length};
 

@@ -26,7 +26,7 @@ use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::{Motion, Rolling};
 use crate::number::{Float, add, at};
-use crate::patch::friction::{By, creepage_at, each_strip};
+use crate::patch::friction::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
 use heapless::Vec;
@@ -163,6 +163,40 @@ struct End<'a, F, const SLOPES: bool> {
     model: Model,
 }
 
+/// Sums over the strips of an end at a constant share of friction.
+#[derive(Clone, Copy)]
+struct StripSums<F> {
+    wrench: [F; 6],
+    power: F,
+    by_velocity: [[F; 6]; 6],
+    power_by_velocity: [F; 6],
+    /// Derivatives of wrench and power with respect to a factor of all creepages.
+    along: [F; 6],
+    power_along: F,
+}
+
+impl<F: Float> StripSums<F> {
+    fn nothing() -> Self {
+        let (zero, none) = (F::zero(), [F::zero(); 6]);
+        let (wrench, power, by_velocity, power_by_velocity) = (none, zero, [none; 6], none);
+        Self { wrench, power, by_velocity, power_by_velocity, along: none, power_along: zero }
+    }
+
+    /// Adds the derivatives of a strip with a creepage.
+    fn add_slopes(&mut self, rows: &[[F; 6]; 3], at: &AtStrip<F>, creepage: &[F; 3], per_speed: F) {
+        add_scaled(&mut self.power_by_velocity, combined(rows, at.power_slopes), per_speed);
+        self.power_along += dot(&at.power_slopes, creepage);
+        let along = at.slopes.map(|row| dot(&row, creepage));
+        add_scaled(&mut self.along, combined(rows, along), F::one());
+        for (row, slopes) in rows.iter().zip(at.slopes) {
+            let by = combined(rows, slopes);
+            for (sums, factor) in self.by_velocity.iter_mut().zip(row) {
+                add_scaled(sums, by, *factor * per_speed);
+            }
+        }
+    }
+}
+
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     fn creep(
         &self,
@@ -193,34 +227,18 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
             [x, y, patch.spin + own.spin]
         };
         let view = view.with_own_creepages(&own)?;
-        let none = [zero; 6];
-        let (mut wrench, mut power, mut by_velocity, mut power_by) = (none, zero, [none; 6], none);
-        // by a factor of all creepages
-        let (mut along, mut power_along) = (none, zero);
+        let mut sums = StripSums::nothing();
         let by = SLOPES.then_some(By::Creepages);
         let found =
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
                 let rows = rows(k);
-                power += at.power;
-                add_scaled(&mut wrench, combined(&rows, at.forces), one);
-                if !SLOPES {
-                    return;
-                }
-                add_scaled(&mut power_by, combined(&rows, at.power_slopes), per_speed);
-                let creepage = whole(k);
-                power_along += dot(&at.power_slopes, &creepage);
-                add_scaled(
-                    &mut along,
-                    combined(&rows, at.slopes.map(|row| dot(&row, &creepage))),
-                    one,
-                );
-                for (row, slopes) in rows.iter().zip(at.slopes) {
-                    let by = combined(&rows, slopes);
-                    for (sums, factor) in by_velocity.iter_mut().zip(row) {
-                        add_scaled(sums, by, *factor * per_speed);
-                    }
+                sums.power += at.power;
+                add_scaled(&mut sums.wrench, combined(&rows, at.forces), one);
+                if SLOPES {
+                    sums.add_slopes(&rows, at, &whole(k), per_speed);
                 }
             })?;
+        let StripSums { wrench, power, by_velocity, .. } = sums;
         let warning = found.warning;
         let mut creep = Creep { wrench, power, by_velocity, warning, ..Creep::default() };
         if !SLOPES {
@@ -236,10 +254,26 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
                 power_by_mismatch += power;
             })?;
         }
+        creep.follow_share(&sums, &found, power_by_mismatch, per_speed);
+        Ok(creep)
+    }
+}
+
+impl<F: Float> Creep<F> {
+    /// Adds what the change of the share of friction does to the derivatives at a constant share.
+    fn follow_share(
+        &mut self,
+        sums: &StripSums<F>,
+        found: &Visited<F>,
+        power_by_mismatch: F,
+        per_speed: F,
+    ) {
+        let StripSums { wrench, power, power_by_velocity, along, power_along, .. } = *sums;
+        let (zero, one) = (F::zero(), F::one());
         // λ ∂Q/∂λ and λ ∂P/∂λ; the derivatives at constant λ
         let mut by_share = wrench;
         for ((share, along), (speed, mismatch)) in
-            by_share.iter_mut().zip(along).zip(creep.by_speed.iter_mut().zip(creep.by_mismatch))
+            by_share.iter_mut().zip(along).zip(self.by_speed.iter_mut().zip(self.by_mismatch))
         {
             *share = *share - along - mismatch;
             *speed = -(along * per_speed);
@@ -255,13 +289,13 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let of_share = (over_bound(power_by_share) - slip) / found.share;
         let feedback = one / (one - rate * of_share);
         let through = |power: F| feedback * rate * over_bound(power) / found.share;
-        for (row, share) in creep.by_velocity.iter_mut().zip(by_share) {
-            add_scaled(row, power_by.map(through), share);
+        for (row, share) in self.by_velocity.iter_mut().zip(by_share) {
+            add_scaled(row, power_by_velocity.map(through), share);
         }
         let at_speed = if found.falls { by.rolling_speed * feedback / found.share } else { zero };
-        add_scaled(&mut creep.by_speed, by_share, at_speed + through(-(power_along * per_speed)));
-        add_scaled(&mut creep.by_mismatch, by_share, through(power_by_mismatch));
-        creep.by_friction = by_share.map(|share| share * feedback);
-        Ok(creep)
+        let by_speed = at_speed + through(-(power_along * per_speed));
+        add_scaled(&mut self.by_speed, by_share, by_speed);
+        add_scaled(&mut self.by_mismatch, by_share, through(power_by_mismatch));
+        self.by_friction = by_share.map(|share| share * feedback);
     }
 }

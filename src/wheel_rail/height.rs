@@ -21,6 +21,39 @@ const CRUSHED: f64 = 0.05;
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
 
+/// The heights that were tried.
+struct Heights<F> {
+    /// The lowest with too little force, and the highest with too much.
+    above: Option<Tried<F>>,
+    below: Option<Tried<F>>,
+    /// One at which the wheel is too deep in the rail to have a force, and the first error there.
+    deep: Option<(F, Error)>,
+    /// The last one with a force.
+    last: Option<Tried<F>>,
+}
+
+impl<F: Float> Heights<F> {
+    /// Notes a height, by how much the straightened force there exceeds the requested one, and the
+    /// slope of that force as Hertz says, if there is a force. Returns the place of the next step.
+    fn note(&mut self, height: F, excess: F, by_hertz: Option<F>) -> Option<F> {
+        let side = if excess < F::zero() { &mut self.above } else { &mut self.below };
+        *side = Some((height, excess));
+        let secant = self.last.map(|(place, more)| (excess - more) / (height - place));
+        self.last = by_hertz.map(|_| (height, excess));
+        let slope = secant.or(by_hertz).filter(|slope| *slope > F::zero());
+        slope.map(|slope| height - excess / slope)
+    }
+
+    /// The highest place that is known to be too low, with an error where it is too deep.
+    fn too_low(&self) -> Option<(F, Option<Error>)> {
+        match (self.below, self.deep) {
+            (Some((low, _)), Some((deep, error))) if deep < low => Some((deep, Some(error))),
+            (Some((low, _)), _) => Some((low, None)),
+            (None, deep) => deep.map(|(deep, error)| (deep, Some(error))),
+        }
+    }
+}
+
 /// How the support varies over the heights that were tried.
 struct Trend<F> {
     /// Depth of the deepest place with too little support, and its support.
@@ -68,19 +101,15 @@ impl<F: Float> Scene<'_, F> {
         let modulus = self.pair.shear_modulus / (F::one() - self.pair.poisson_ratio);
         let expected = straight(support.times(0.75) / (modulus * self.pair.wheel_radius.sqrt()));
         let [touches, per_normal] = self.first_touch(position)?;
-        let mut above: Option<Tried<F>> = None;
-        let mut below: Option<Tried<F>> = None;
-        // (a height that is too deep is below, without a force)
-        let mut deep: Option<(F, Error)> = None;
-        let mut last: Option<Tried<F>> = None;
+        let mut heights = Heights { above: None, below: None, deep: None, last: None };
         let mut here = touches + expected * per_normal;
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
         for tried in 0..HEIGHTS {
             let found = self.support(&Position { vertical: here, ..*position }, velocity, memory);
             let next = match found {
                 Err(error @ (Error::ProfileEnd | Error::Overflow | Error::PatchSize)) => {
-                    // (the wheel is too deep in the rail)
-                    deep = Some((here, deep.map_or(error, |(_, first)| first)));
+                    let first = heights.deep.map_or(error, |(_, first)| first);
+                    heights.deep = Some((here, first));
                     None
                 }
                 Err(error) => return Err(error),
@@ -91,33 +120,20 @@ impl<F: Float> Scene<'_, F> {
                     if rest.abs() <= wanted * F::EPSILON.times(64.0) {
                         return Ok((here, self.supported(&trend, memory)));
                     }
-                    if rest < F::zero() {
-                        above = Some((here, rest));
-                    } else {
-                        below = Some((here, rest));
-                    }
-                    let secant = last.map(|(place, more)| (rest - more) / (here - place));
                     // d(F^(2/3)) = (2/3) F^(2/3)/F dF
-                    let newton =
+                    let by_hertz =
                         (force > F::zero()).then(|| (own / force) * stiffness.times(2.0 / 3.0));
-                    let slope = secant.or(newton).filter(|slope| *slope > F::zero());
-                    last = (force > F::zero()).then_some((here, rest));
-                    slope.map(|slope| here - rest / slope)
+                    heights.note(here, rest, by_hertz)
                 }
             };
-            let lowest = match (below, deep) {
-                (Some((low, _)), Some((deep, error))) if deep < low => Some((deep, Some(error))),
-                (Some((low, _)), _) => Some((low, None)),
-                (None, deep) => deep.map(|(deep, error)| (deep, Some(error))),
-            };
-            here = match (above, lowest) {
+            here = match (heights.above, heights.too_low()) {
                 (Some((high, less)), Some((low, error))) => {
                     let middle = high + (low - high).times(0.5);
                     if !(middle > high && middle < low) {
                         if let Some(error) = error {
                             return Err(error);
                         }
-                        let more = below.map_or(-less, |(_, more)| more);
+                        let more = heights.below.map_or(-less, |(_, more)| more);
                         let is_close = more.min(-less) <= wanted * F::EPSILON.sqrt();
                         let warning = self.supported(&trend, memory);
                         let warning = if is_close { warning } else { Warning::NotConverged };

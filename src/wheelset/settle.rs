@@ -6,6 +6,7 @@
 //! bounded steps that must lessen the rest. Where it finds no balance, a wheel lifts if the roll
 //! moment turns the wheelset onto the other one that carries all.
 
+use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::forces::{
     Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
 };
@@ -89,13 +90,11 @@ impl<F: Float> Wheelset<'_, F> {
             let warning = forces.wrench.warning;
             Settled { state, forces, warning }
         };
+        let scale = [vertical, vertical * width, vertical * radius];
         let rest_of = |forces: &WheelsetForces<F>| {
             let [_, _, down, over, about, _] = forces.wrench.members();
-            [
-                (down + vertical) / vertical,
-                (over + roll) / (vertical * width),
-                (about + pitch) / (vertical * radius),
-            ]
+            let [by_down, by_over, by_about] = scale;
+            [(down + vertical) / by_down, (over + roll) / by_over, (about + pitch) / by_about]
         };
         let size = |rest: &[F; 3]| dot(rest, rest).sqrt();
         let least = F::EPSILON.cube_root().squared();
@@ -112,20 +111,8 @@ impl<F: Float> Wheelset<'_, F> {
             if size(&rest) <= least {
                 return Ok(settled(here, forces));
             }
-            // by the heights of both wheels, and by the pitch rate
-            let scale = [vertical, vertical * width, vertical * radius];
-            let column = |matrix: &[[F; 10]; 10], k: usize| {
-                let entry = |i: usize| matrix.get(i + 2).map_or(F::zero(), |row| at(row, k));
-                core::array::from_fn(|i| entry(i) / at(&scale, i))
-            };
-            let (sinks, rolls): ([F; 3], _) =
-                (column(&moved.position, 2), column(&moved.position, 3));
-            let by_height = |arm: F| {
-                core::array::from_fn(|i| at(&sinks, i).times(0.5) + at(&rolls, i) / arm.times(2.0))
-            };
-            let (right, left) = (by_height(width), by_height(-width));
-            let step = by_cramers_rule(right, left, column(&slopes.velocity, 4), rest);
-            let Some([right, left, pitch]) = step else { break };
+            let columns = columns_of_rest(&slopes, &moved, &scale, width);
+            let Some([right, left, pitch]) = by_cramers_rule(columns, rest) else { break };
             // both heights keep their ratio
             let most = right.abs().max(left.abs());
             let rim = pitch.abs() * radius;
@@ -232,8 +219,27 @@ impl<F: Float> Wheelset<'_, F> {
     }
 }
 
+/// Derivatives of vertical force, roll moment and moment about the axle, divided by their scale:
+/// with respect to the heights of the right and of the left wheel, and to the pitch rate.
+fn columns_of_rest<F: Float>(
+    slopes: &WheelsetDerivatives<F>,
+    moved: &WheelsetByPosition<F>,
+    scale: &[F; 3],
+    width: F,
+) -> [[F; 3]; 3] {
+    let column = |matrix: &[[F; KSTRIP_WHEELSET_FREEDOMS]], k: usize| -> [F; 3] {
+        let entry = |i: usize| matrix.get(i + 2).map_or(F::zero(), |row| at(row, k));
+        core::array::from_fn(|i| entry(i) / at(scale, i))
+    };
+    let [sinks, rolls] = [2, 3].map(|k| column(&moved.position, k));
+    let by_height = |arm: F| {
+        core::array::from_fn(|i| at(&sinks, i).times(0.5) + at(&rolls, i) / arm.times(2.0))
+    };
+    [by_height(width), by_height(-width), column(&slopes.velocity, 4)]
+}
+
 /// Cramer's rule for the columns of a matrix; none where they have no volume.
-fn by_cramers_rule<F: Float>(a: [F; 3], b: [F; 3], c: [F; 3], right: [F; 3]) -> Option<[F; 3]> {
+fn by_cramers_rule<F: Float>([a, b, c]: [[F; 3]; 3], right: [F; 3]) -> Option<[F; 3]> {
     let volume = dot(&a, &cross(b, c));
     let found = [dot(&right, &cross(b, c)), dot(&a, &cross(right, c)), dot(&a, &cross(b, right))]
         .map(|part| part / volume);

@@ -35,33 +35,58 @@ pub unsafe extern "C" fn kstrip_field(
     capacity: u32,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
-    let (x, y, points) = unsafe { (input(x, columns), input(y, rows), output(points, capacity)) };
+    let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
     answer(|| {
         let (contact, creepage, options) =
             (given(contact)?, given(creepage)?, for_strips(options)?);
         let field = LawField::new(contact, creepage, friction, &options)?;
-        write_grid(x?, y?, points?, |y| field.strip_at(y), |strip, x| field.along(strip, x))?;
+        grid?.write(|y| field.strip_at(y), |strip, x| field.along(strip, x))?;
         Ok(field.warning)
     })
 }
 
-/// The points of a grid, strip by strip.
-pub(super) fn write_grid<S>(
-    x: &[F],
-    y: &[F],
-    out: &mut [MaybeUninit<FieldPoint<F>>],
-    strip_at: impl Fn(F) -> S,
-    along: impl Fn(&S, F) -> FieldPoint<F>,
-) -> Result<(), Error> {
-    Error::NotFinite.unless(are_finite(x) && are_finite(y))?;
-    let points = x.len().checked_mul(y.len());
-    Error::Capacity.unless(points.is_some_and(|points| points <= out.len()))?;
-    let mut places = out.iter_mut();
-    for &y in y {
-        let strip = strip_at(y);
-        for (&x, place) in x.iter().zip(&mut places) {
-            place.write(along(&strip, x));
+/// The places of a grid, and where their points go.
+pub(super) struct FieldGrid<'a> {
+    x: &'a [F],
+    y: &'a [F],
+    points: &'a mut [MaybeUninit<FieldPoint<F>>],
+}
+
+impl FieldGrid<'_> {
+    /// # Safety
+    /// The arrays are NULL, or valid for as many elements as stand beside them.
+    pub(super) unsafe fn new(
+        (x, columns): (*const F, u32),
+        (y, rows): (*const F, u32),
+        (points, capacity): (*mut FieldPoint<F>, u32),
+    ) -> Result<Self, Error> {
+        // SAFETY: the caller's promise.
+        unsafe {
+            Ok(Self {
+                x: input(x, columns)?,
+                y: input(y, rows)?,
+                points: output(points, capacity)?,
+            })
         }
     }
-    Ok(())
+
+    /// Writes the points, strip by strip.
+    pub(super) fn write<S>(
+        self,
+        strip_at: impl Fn(F) -> S,
+        along: impl Fn(&S, F) -> FieldPoint<F>,
+    ) -> Result<(), Error> {
+        let Self { x, y, points } = self;
+        Error::NotFinite.unless(are_finite(x) && are_finite(y))?;
+        let count = x.len().checked_mul(y.len());
+        Error::Capacity.unless(count.is_some_and(|count| count <= points.len()))?;
+        let mut places = points.iter_mut();
+        for &y in y {
+            let strip = strip_at(y);
+            for (&x, place) in x.iter().zip(&mut places) {
+                place.write(along(&strip, x));
+            }
+        }
+        Ok(())
+    }
 }

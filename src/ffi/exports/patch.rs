@@ -1,7 +1,7 @@
 //! Patches: contacts of any shape, given by their strips.
 
 use super::F;
-use super::inside::write_grid;
+use super::inside::FieldGrid;
 use crate::ffi::support::*;
 use crate::normal::cells::{CELLS, Cells, Given};
 use crate::normal::{Profile, ProfileContact};
@@ -268,13 +268,12 @@ pub unsafe extern "C" fn kstrip_patch_field(
     capacity: u32,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
-    let (x, y, points) = unsafe { (input(x, columns), input(y, rows), output(points, capacity)) };
+    let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
     answer(|| {
         let (patch, creepage, options) = (given(patch)?, given(creepage)?, for_strips(options)?);
         let view = patch.view()?;
         let field = PatchField::new(&view, creepage, friction, options.model)?;
-        let along = |strip: &Option<_>, x| PatchField::along(strip.as_ref(), x);
-        write_grid(x?, y?, points?, |y| field.strip_at(y), along)?;
+        grid?.write(|y| field.strip_at(y), |strip, x| PatchField::along(strip.as_ref(), x))?;
         Ok(field.warning)
     })
 }

@@ -156,9 +156,7 @@ pub extern "C" fn kstrip_solve_total(
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || {
-        solution_of::<_, Total<F>>(given(contact)?, given(creepage)?, &Options::default())
-    })
+    solved_by::<Total<F>>(contact, creepage, 0, result)
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
@@ -173,10 +171,7 @@ pub extern "C" fn kstrip_solve_strip(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || {
-        let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        solution_of::<_, EllipseStrips<F>>(given(contact)?, given(creepage)?, &options)
-    })
+    solved_by::<EllipseStrips<F>>(contact, creepage, strips, result)
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other
@@ -192,10 +187,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
     strips: i32,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || {
-        let options = Options { strips: strip_count(strips)?, ..Options::default() };
-        solution_of::<_, Strip1967>(given(contact)?, given(creepage)?, &options)
-    })
+    solved_by::<Strip1967>(contact, creepage, strips, result)
 }
 
 /// kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
@@ -208,9 +200,7 @@ pub extern "C" fn kstrip_solve_linear(
     creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || {
-        solution_of::<_, Linear<F>>(given(contact)?, given(creepage)?, &Options::default())
-    })
+    solved_by::<Linear<F>>(contact, creepage, 0, result)
 }
 
 /// The result on the upper body: opposite forces and moment, same power and adhesion.
@@ -233,6 +223,21 @@ pub extern "C" fn kstrip_result_on_upper_body(
             *force = -*force;
         }
         Ok(Warning::None)
+    })
+}
+
+/// kstrip_solve() with one model. (Without any model the library has no such function.)
+#[allow(dead_code)]
+#[inline(always)]
+fn solved_by<M: Theory<F>>(
+    contact: Option<&Contact<F>>,
+    creepage: Option<&Creepage<F>>,
+    strips: i32,
+    result: Output<Solution<F>>,
+) -> kstrip_status {
+    solved(result, || {
+        let options = Options { strips: strip_count(strips)?, ..Options::default() };
+        solution_of::<_, M>(given(contact)?, given(creepage)?, &options)
     })
 }
 
