@@ -10,9 +10,12 @@ const PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
 const FEWEST: i32 = 3;
 /// Rounds that find the end of a chord.
 const ROUNDS: i32 = 3;
-/// Rounds that make the last chord as long as the others, and its largest difference, as a share.
+/// Rounds that make the last chord as long as the others, and the largest difference of a chord, as
+/// a share.
 const ROUNDS_OF_ALL: i32 = 5;
 const UNEQUAL: f64 = 0.1;
+/// Difference from which the chords of the length that was found last are examined.
+const UNEVEN: f64 = 1e-3;
 
 /// Distance of two points.
 pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
@@ -24,7 +27,8 @@ pub(super) fn distance<F: Float>([y, z]: [F; 2], [v, w]: [F; 2]) -> F {
 pub(super) struct Chords<F> {
     pub length: F,
     pub count: usize,
-    /// Whether the last one is as long as the others.
+    /// Whether all of them are about as long. They are not where the curve runs to a point beside
+    /// the others and back.
     pub are_equal: bool,
 }
 
@@ -93,12 +97,29 @@ pub(super) trait Points<F: Float> {
         let chords = self.walk_in_chords(wanted, |_, _| ());
         let count = chords.plus(0.5).whole().clamp(FEWEST, most);
         let whole = F::widened(count as f32);
-        let (mut length, mut chords) = (wanted * (chords / whole), whole);
+        let mut length = wanted * (chords / whole);
+        // (the largest difference of a chord but the last from the others, as a share)
+        let walk = |length: F| {
+            let (mut begin, mut unequal) = (None::<[F; 2]>, F::zero());
+            let chords = self.walk_in_chords(length, |k, end| {
+                let own = begin.replace(end).map_or(length, |begin| distance(begin, end));
+                if k < count as usize {
+                    unequal = unequal.max((own / length).plus(-1.0).abs());
+                }
+            });
+            (chords, unequal.max((chords - whole).abs()))
+        };
+        let mut unequal = F::zero();
         for _ in 0..ROUNDS_OF_ALL {
-            chords = self.walk_in_chords(length, |_, _| ());
+            let chords;
+            (chords, unequal) = walk(length);
             length = length * (chords / whole);
         }
-        let are_equal = (chords - whole).abs() < F::of(UNEQUAL);
+        if unequal > F::of(UNEVEN) {
+            // (a slightly different length may lead to other chords)
+            (_, unequal) = walk(length);
+        }
+        let are_equal = unequal < F::of(UNEQUAL);
         Chords { length, count: count as usize, are_equal }
     }
 

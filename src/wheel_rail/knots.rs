@@ -79,7 +79,7 @@ impl<'a, F: Float> Knots<'a, F> {
         if self.is_weighted { CAPACITY } else { SINGLE }
     }
 
-    /// Gathers the points of a profile, none of which is farther from its spine than a radius.
+    /// Gathers the points of a profile, but for strays: those farther from its spine than a radius.
     pub(super) fn collect_points(
         &mut self,
         is_weighted: bool,
@@ -96,6 +96,9 @@ impl<'a, F: Float> Knots<'a, F> {
         for point in y.iter().zip(z).map(|(y, z)| [*y, *z]) {
             let foot = spine.nearest(point, segment, radius);
             segment = foot.segment;
+            if !foot.is_within(radius) {
+                continue;
+            }
             let knot =
                 PointAverage { weight: F::one(), length: foot.length, point, spread: F::zero() };
             let [first, last] = ends.unwrap_or([knot; 2]);

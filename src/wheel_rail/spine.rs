@@ -2,7 +2,7 @@
 
 use super::KSTRIP_SURFACE_CAPACITY;
 use super::curve::{Points, distance};
-use crate::number::{Float, length};
+use crate::number::{Float, at, length};
 use crate::status::Error;
 
 /// Points of a polyline: as many as a prepared profile has.
@@ -16,6 +16,8 @@ const ATTEMPTS: i32 = 9;
 /// each node. Points that scatter by a tenth of the radius or more exceed it.
 const CORNERS: f64 = 4.0;
 const ROUGHNESS: f64 = 0.02;
+/// Of so many points one may be a stray: lie beside the line, with its neighbours on it.
+const STRAYS: usize = 128;
 
 /// A polyline with the length up to each of its points.
 pub(super) struct Polyline<F> {
@@ -33,6 +35,19 @@ pub(super) struct NearestPoint<F> {
     pub length: F,
     /// Square of its distance \[m²\]. Here all segments end.
     squared_distance: F,
+}
+
+/// The points of a profile, forward or backward.
+fn in_order<F: Float>(y: &[F], z: &[F], backward: bool) -> impl Iterator<Item = [F; 2]> {
+    let last = y.len().saturating_sub(1);
+    (0..y.len()).map(move |k| if backward { last - k } else { k }).map(|k| [at(y, k), at(z, k)])
+}
+
+impl<F: Float> NearestPoint<F> {
+    /// Whether the other point is nearer than a radius.
+    pub(super) fn is_within(&self, radius: F) -> bool {
+        self.squared_distance < radius * radius
+    }
 }
 
 impl<F: Float> Points<F> for Polyline<F> {
@@ -82,8 +97,15 @@ impl<F: Float> Polyline<F> {
     pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
         let mut radius = extent.times(FINEST);
         for _ in 0..ATTEMPTS {
-            if self.cover(y, z, radius) && self.is_smooth() && self.has_near(y, z, radius) {
-                return Ok(radius);
+            // (the other way round a stray at the beginning is one at the end)
+            for backward in [false, true] {
+                let is_tried = !backward || y.len() >= STRAYS;
+                if !(is_tried && self.cover(y, z, backward, radius) && self.is_smooth()) {
+                    break;
+                }
+                if self.has_near(y, z, radius) {
+                    return Ok(radius);
+                }
             }
             radius = radius.times(COARSER);
         }
@@ -91,14 +113,14 @@ impl<F: Float> Polyline<F> {
     }
 
     /// Whether there is room.
-    fn cover(&mut self, y: &[F], z: &[F], radius: F) -> bool {
+    fn cover(&mut self, y: &[F], z: &[F], backward: bool, radius: F) -> bool {
         self.count = 0;
         let mut segment = 0;
-        for point in y.iter().zip(z).map(|(y, z)| [*y, *z]) {
+        for point in in_order(y, z, backward) {
             if self.count >= 2 {
                 let foot = self.nearest(point, segment, radius);
                 segment = foot.segment;
-                if foot.squared_distance < radius * radius {
+                if foot.is_within(radius) {
                     continue;
                 }
                 // the first two may be in the wrong order
@@ -121,16 +143,37 @@ impl<F: Float> Polyline<F> {
                 return false;
             }
         }
-        self.count >= 2
+        let all = self.count;
+        while let Some((_, last)) = self.get(self.count.wrapping_sub(1)) {
+            self.count -= 1;
+            if !self.turns_back(last) {
+                self.count += 1;
+                break;
+            }
+        }
+        // (strays at the end have taken the place of the points before them)
+        self.count >= 2 && (self.count == all || self.extend(y, z, backward, radius))
     }
 
-    /// Whether no point is farther from the line than the radius: one that was passed over may be.
+    /// Appends points that lie beyond the end. Returns whether there is room.
+    fn extend(&mut self, y: &[F], z: &[F], backward: bool, radius: F) -> bool {
+        in_order(y, z, backward).all(|point| {
+            let foot = self.nearest(point, self.count.saturating_sub(2), radius);
+            let Some((end, last)) = self.get(self.count.wrapping_sub(1)) else { return false };
+            let is_beyond = foot.length > end && !foot.is_within(radius);
+            !is_beyond || self.turns_back(point) || self.push(end + distance(last, point), point)
+        })
+    }
+
+    /// Whether no points but a few strays are farther from the line than the radius: those that
+    /// were passed over may be.
     fn has_near(&self, y: &[F], z: &[F], radius: F) -> bool {
-        let mut segment = 0;
+        let (most, mut segment, mut strays) = (y.len() / STRAYS, 0, 0);
         y.iter().zip(z).all(|(y, z)| {
             let foot = self.nearest([*y, *z], segment, radius);
             segment = foot.segment;
-            foot.squared_distance < radius * radius
+            strays += usize::from(!foot.is_within(radius));
+            strays <= most
         })
     }
 

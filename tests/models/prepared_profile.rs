@@ -305,3 +305,70 @@ fn only_points_without_order_are_refused() {
     let refused = prepared(&points, 0.0, 0.0);
     assert!(matches!(refused, Err(Error::Scatter)), "{refused:?}");
 }
+
+/// A profile with a point that is moved along it, and across.
+fn with_stray(profile: &[[f64; 2]], k: usize, [along, across]: [f64; 2]) -> Points {
+    let mut points = profile.to_vec();
+    let [from, to] = [profile[k.max(1) - 1], profile[k.max(1)]];
+    let [cosine, sine] = [0, 1].map(|i| (to[i] - from[i]) / distance(from, to));
+    points[k][0] += along * cosine - across * sine;
+    points[k][1] += along * sine + across * cosine;
+    points
+}
+
+/// Strays, one or two, cost neither an end of a profile nor the equality of its steps.
+#[test]
+fn strays_leave_the_profile_whole() {
+    let mut cases: Vec<(&str, bool, [usize; 2], [f64; 2])> = Vec::new();
+    for k in [4, 17, 18, 19, 25, 134, 552, 561] {
+        cases.extend([2e-3, 3e-3, 4e-3].map(|back| ("avglow", false, [k; 2], [-back, 0.0])));
+        cases.push(("avglow", false, [k; 2], [4e-3, 0.0]));
+    }
+    for (name, k, across) in [
+        ("avglow", 417, 2e-4),
+        ("avglow", 685, 2e-4),
+        ("avglow", 687, 2e-4),
+        ("s1002", 392, 1e-3),
+        ("en_wheel_h", 316, 1e-3),
+        ("rail288", 269, 5e-4),
+        ("uic60", 122, 2e-4),
+        ("siteb", 127, 5e-4),
+        ("wornhm", 637, 2e-4),
+        ("en_rail", 334, 2e-4),
+    ] {
+        for backward in [false, true] {
+            cases.extend([-across, across].map(|by| (name, backward, [k; 2], [0.0, by])));
+        }
+    }
+    for (name, seed) in NAMES.iter().zip(1_u64..) {
+        let mut random = Random::new(seed);
+        let count = profile(name).len();
+        for _ in 0..12 {
+            let strays = [8, 8].map(|_| 8 + (random.unit() * (count - 16) as f64) as usize);
+            let along = random.between(-5e-3, 5e-3);
+            cases.push((name, random.bits().is_multiple_of(2), strays, [along, 0.0]));
+            let across = random.log_between(5e-5, 2e-3);
+            cases.push((name, random.bits().is_multiple_of(2), strays, [0.0, across]));
+        }
+    }
+    for (name, backward, strays, moved) in cases {
+        let clean = profile(name);
+        let mut points = with_stray(&clean, strays[0], moved);
+        if strays[1] != strays[0] {
+            points = with_stray(&points, strays[1], moved);
+        }
+        let off = strays.map(|k| from_line(&clean, points[k])).into_iter().fold(0.0, f64::max);
+        if backward {
+            points.reverse();
+        }
+        let surface = prepared(&points, 0.0, 0.0).unwrap();
+        let found = nodes(&surface);
+        let case = format!("{name}, backward {backward}, points {strays:?}, moved by {moved:?}");
+        let others = clean.iter().enumerate().filter(|(k, _)| !strays.contains(k));
+        let lost = others.map(|(_, &point)| from_line(&found, point)).fold(0.0, f64::max);
+        let made = found.iter().map(|&point| from_line(&clean, point)).fold(0.0, f64::max);
+        let bound = 6e-5 + 1.1 * off;
+        assert!(lost < bound && made < bound, "{case}: {lost} m lost, {made} m made, off by {off}");
+        assert!(unequal(&surface) < 0.2, "{case}: steps differ by {}", unequal(&surface));
+    }
+}
