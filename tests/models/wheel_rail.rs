@@ -323,6 +323,31 @@ fn a_gap_without_a_step_has_that_of_its_points() {
     assert_eq!(found(gap), Err(Error::NotFinite));
 }
 
+/// Points farther away than the reach that the header says have no effect; others have.
+#[test]
+fn a_gap_needs_the_reach_that_the_header_says() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(-1e-3, 80e3);
+    let Stand { rail, wheel, pair, memory, .. } = &mut stand;
+    let Workspace { gap, strips, contacts, .. } = &mut **memory;
+    let step = wheel.step;
+    for smoothing in [0.0, 1e-3, 4e-3] {
+        pair.smoothing_length = smoothing;
+        let mut found = |reach: f64| {
+            let search = GapSearch::new(rail, wheel, pair.wheel_radius, &position).unwrap();
+            search.gap(reach, gap).unwrap();
+            from_gap(gap, pair, &position, StripCount::Sixteen, strips, contacts).unwrap();
+            contacts[0].normal_force
+        };
+        let smoothed = (smoothing * smoothing + 6.25 * step * step).sqrt();
+        let least = (3.0 * step + (0.5 * smoothed).min(1e-3)).min(2e-3);
+        let whole = found(4e-3);
+        assert_eq!(found(least).to_bits(), whole.to_bits(), "{smoothing}");
+        let cut = found(0.05 * least);
+        assert!((cut / whole - 1.0).abs() > 1e-6, "{smoothing}: {cut} for {whole} N");
+    }
+}
+
 #[test]
 fn left_is_the_mirror_of_right() {
     let mut stand = Stand::new_profiles();
