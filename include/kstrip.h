@@ -1929,7 +1929,7 @@ typedef struct kstrip_wrench_derivatives {
  * @param velocity        how the wheel moves.
  * @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
  *                        models of 1967.
- * @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param friction        falling friction (not its friction and rolling_speed); NULL: constant.
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
  *                          not needed.
@@ -1987,7 +1987,7 @@ typedef struct kstrip_wrench_by_position {
  * @param pair            materials, friction, side, number of strips, model.
  * @param position        where the wheel is.
  * @param velocity        how it moves.
- * @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
+ * @param friction        falling friction (not its friction and rolling_speed); NULL: constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;

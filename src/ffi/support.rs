@@ -127,11 +127,13 @@ pub(super) fn put<T>(place: Output<T>, value: T) {
     }
 }
 
-/// Runs a computation and writes the derivatives that are requested, if it has a result.
+/// Runs a computation and writes the derivatives that are requested, if it has a result and all of
+/// its numbers are finite, as `fits` tells.
 #[inline]
 pub(super) fn with_requested<V: Default, P: Default, T>(
     by_velocity: Output<V>,
     by_position: Output<P>,
+    fits: impl FnOnce(&T, &V, &P) -> bool,
     solve: impl FnOnce(Requested<V, P>) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let (mut slopes, mut moved) = (V::default(), P::default());
@@ -139,6 +141,7 @@ pub(super) fn with_requested<V: Default, P: Default, T>(
         by_velocity: by_velocity.is_some().then_some(&mut slopes),
         by_position: by_position.is_some().then_some(&mut moved),
     })?;
+    Error::Overflow.unless(fits(&found, &slopes, &moved))?;
     put(by_velocity, slopes);
     put(by_position, moved);
     Ok(found)

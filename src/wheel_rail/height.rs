@@ -17,6 +17,8 @@ const HEIGHTS: u32 = 100;
 const GROWTH: f64 = 4.0;
 /// Peak pressure over the shear modulus from which no wheel is supported: flanges have 0.05.
 const CRUSHED: f64 = 0.05;
+/// Hertz's approach over the wheel's radius from which no force is looked for.
+const DEEPEST: f64 = 1e3;
 
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
@@ -100,7 +102,11 @@ impl<F: Float> Scene<'_, F> {
         // of a sphere with the wheel's radius: N = (4/3) E* √R δ^(3/2)
         let modulus = self.pair.shear_modulus / (F::one() - self.pair.poisson_ratio);
         let expected = straight(support.times(0.75) / (modulus * self.pair.wheel_radius.sqrt()));
+        // (NaN is not below)
+        let is_possible = expected < self.pair.wheel_radius.times(DEEPEST);
+        Error::Overflow.unless(is_possible && wanted.is_finite_number())?;
         let [touches, per_normal] = self.first_touch(position)?;
+        Error::Overflow.unless(touches.is_finite_number())?;
         let mut heights = Heights { above: None, below: None, deep: None, last: None };
         let mut here = touches + expected * per_normal;
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };

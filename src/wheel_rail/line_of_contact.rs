@@ -37,7 +37,10 @@ pub(crate) struct Turn<F> {
 
 impl<F: Float> Turn<F> {
     pub fn new(position: &Position<F>) -> Self {
-        Self { roll: sine_cosine(position.roll), yaw: sine_cosine(position.yaw) }
+        // (no quotients of numbers that have lost their digits)
+        let clear = |angle: F| if angle.abs() < F::TINY { F::zero() } else { angle };
+        let [roll, yaw] = [position.roll, position.yaw].map(|angle| sine_cosine(clear(angle)));
+        Self { roll, yaw }
     }
 
     /// Turns vectors side by side from the wheelset's axes to the track's: by yaw, then by roll.

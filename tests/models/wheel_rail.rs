@@ -348,6 +348,26 @@ fn a_gap_needs_the_reach_that_the_header_says() {
     }
 }
 
+/// Extreme numbers that are finite are never called infinite.
+#[test]
+fn extreme_numbers_are_finite() {
+    let mut stand = Stand::new_profiles();
+    let position = stand.at(-1e-3, 80e3);
+    for support in [1e30, 1e160, 1e300] {
+        let (scene, memory) = stand.split();
+        let found = scene.height_for_load(&position, support, None, memory);
+        assert_eq!(found, Err(Error::Overflow), "{support} N");
+    }
+    for yaw in [1e-320, -1e-320, 1e-200] {
+        let state = BodyState { position: Position { yaw, ..position }, velocity: ROLLING };
+        let (scene, memory) = stand.split();
+        let found = scene.solve(&state, memory).unwrap();
+        let straight = BodyState { position: Position { yaw: 0.0, ..position }, ..state };
+        let exact = scene.solve(&straight, memory).unwrap();
+        assert_relative_eq!(found.normal_force, exact.normal_force, max_relative = 1e-12);
+    }
+}
+
 #[test]
 fn left_is_the_mirror_of_right() {
     let mut stand = Stand::new_profiles();

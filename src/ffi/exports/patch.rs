@@ -58,9 +58,16 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
             friction,
             smoothing_length,
         };
+        let width = match list(y)? {
+            [first, .., last] => last - first,
+            _ => 0.0,
+        };
         let mut list = Vec::<_, CELLS>::new();
         let mut cells = Cells { list: list.as_mut_view() };
         let mut found = Indentation::new(&profile, contact, strip_count(strips)?, &mut cells)?;
+        // (an approach next to which the shape of the surfaces is lost)
+        let is_lost = approach > width && found.normal_force <= 0.0;
+        Error::Overflow.when(!by_load && is_lost)?;
         // One strip for each cell in contact.
         write_patch(|| Patch::<_, CELLS>::of_cells(contact, &cells, &mut found), patch)?;
         put(result, found);

@@ -154,7 +154,7 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param velocity        how the wheel moves.
 /// @param model           KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
 ///                        models of 1967.
-/// @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param friction        falling friction (not its friction and rolling_speed); NULL: constant.
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
 ///                          not needed.
@@ -179,6 +179,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         let mut slopes = WrenchDerivatives::default();
         let wanted = derivatives.is_some().then_some(&mut slopes);
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
+        Error::Overflow.unless(fits(&found, &slopes))?;
         put(derivatives, slopes);
         out.write(found);
         Ok(found.warning)
@@ -197,7 +198,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// @param pair            materials, friction, side, number of strips, model.
 /// @param position        where the wheel is.
 /// @param velocity        how it moves.
-/// @param friction        falling friction, as in kstrip_patch_evaluate(); NULL: constant.
+/// @param friction        falling friction (not its friction and rolling_speed); NULL: constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
@@ -230,7 +231,12 @@ pub extern "C" fn kstrip_wheel_on_rail(
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(wrench)?);
         let state = BodyState { position: *position, velocity: *velocity };
-        let found = with_requested(derivatives, by_position, |requested| {
+        let fits = |found: &Wrench<F>, by_velocity: &_, by_position: &WrenchByPosition<F>| {
+            let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
+            let moved = [lateral, vertical, yaw, roll];
+            fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
+        };
+        let found = with_requested(derivatives, by_position, fits, |requested| {
             scene.differentiate(&state, memory, requested)
         })?;
         out.write(found);
@@ -270,6 +276,7 @@ pub extern "C" fn kstrip_height_for_load(
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
         let (found, warning) = scene.height_for_load(position, support, velocity, memory)?;
+        Error::Overflow.unless(found.is_finite_number())?;
         out.write(found);
         Ok(warning)
     })
@@ -286,9 +293,20 @@ pub(super) fn scene_of<'a>(
     Ok(Scene { rail, wheel, pair, strips, law })
 }
 
+/// Whether all numbers are finite.
+pub(super) fn fits(found: &Wrench<F>, slopes: &WrenchDerivatives<F>) -> bool {
+    let numbers = [found.dissipation, found.normal_force];
+    let WrenchDerivatives { velocity, friction } = slopes;
+    let rows = velocity.iter().chain([friction, &found.members()]).all(|row| are_finite(row));
+    rows && are_finite(&numbers)
+}
+
 fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<Law<'_, F>, Error> {
     let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
     Error::NotInModel.unless(model != Model::Linear)?;
-    falling.map_or(Ok(()), SlipFriction::check)?;
+    if let Some(law) = falling {
+        // (these two members are ignored)
+        SlipFriction { friction: 1.0, rolling_speed: 0.0, ..*law }.check()?;
+    }
     Ok(Law { model, falling })
 }

@@ -1,7 +1,7 @@
 //! The wheelset: two wheels on two rails.
 
 use super::F;
-use super::wheel_rail::scene_of;
+use super::wheel_rail::{fits, scene_of};
 use crate::ffi::support::*;
 use crate::wheelset::conicity::RadiusDifference;
 use crate::wheelset::forces::Wheelset;
@@ -108,7 +108,17 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
             let (position, velocity) = (given(position)?, given(velocity)?);
             let (memory, out) = (given(workspace)?, given(forces)?);
             let state = BodyState { position: *position, velocity: *velocity };
-            let found = with_requested(derivatives, by_position, |requested| {
+            let fits = |found: &WheelsetForces<F>, by_velocity: &_, by_position: &_| {
+                let WheelsetDerivatives { velocity, friction } = by_velocity;
+                let WheelsetByPosition { position } = by_position;
+                let WheelsetForces { wrench, wheel: [right, left], rail } = found;
+                let none = WrenchDerivatives::default();
+                let mut rows = velocity.iter().chain(position).chain([friction]);
+                [wrench, right, left].into_iter().all(|found| fits(found, &none))
+                    && rail.iter().all(|force| are_finite(force))
+                    && rows.all(|row| are_finite(row))
+            };
+            let found = with_requested(derivatives, by_position, fits, |requested| {
                 wheelset.differentiate(&state, memory, requested)
             })?;
             out.write(found);
@@ -320,10 +330,11 @@ fn half_distance(set: &WheelsetParts<F>) -> Result<F, Error> {
 
 /// The distance of a rail's origin from the middle of the track.
 fn origin_of(track: &Track<F>, given: F, rail: &Surface<F>) -> Result<(F, Warning), Error> {
-    Error::NotFinite.unless(are_finite(&[track.gauge, given]))?;
+    Error::NotFinite.unless(given.is_finite_number())?;
     if given > 0.0 {
         return Ok((given, Warning::None));
     }
+    Error::NotFinite.unless(track.gauge.is_finite_number())?;
     Error::Gauge.unless(given == 0.0 && track.gauge > 0.0)?;
     let (face, warning) = gauge_face(rail, track.gauge_depth)?;
     Ok((0.5 * track.gauge - face, warning))
