@@ -74,6 +74,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_unset = KSTRIP_WARNING_UNSET,
     warning_support = KSTRIP_WARNING_SUPPORT,
     warning_profile_coarse = KSTRIP_WARNING_PROFILE_COARSE,
+    warning_rough = KSTRIP_WARNING_ROUGH,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,

@@ -290,6 +290,9 @@ statuses! {
             "a contact of a wheel is less than four distances of the points of a profile wide, \
              so that the pressure depends on the shape between the points",
             "pass more points";
+        KSTRIP_WARNING_ROUGH Rough = 27 gravity 2:
+            "a contact has more lobes than its strips tell apart, and its load may jump",
+            "smooth the profile, or take more strips";
     }
 }
 

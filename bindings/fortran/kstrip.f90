@@ -40,6 +40,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_unset = 24
    integer(c_int32_t), parameter :: kstrip_warning_support = 25
    integer(c_int32_t), parameter :: kstrip_warning_profile_coarse = 26
+   integer(c_int32_t), parameter :: kstrip_warning_rough = 27
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3

@@ -10,7 +10,10 @@ pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 
 /// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
 /// need no memory for more. (In a browser one code for all counts takes less to load.)
-pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CELLS } else { 28 };
+pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CELLS } else { 36 };
+
+/// `c` over the width.
+const COMPLIANCE: f64 = 6.0;
 
 /// A cell of the normal problem, or a part of one, on the line `x = 0`.
 #[derive(Clone, Copy, Debug)]
@@ -22,6 +25,8 @@ pub(crate) struct Cell<F, const N: usize> {
     /// Where the conditions of contact hold \[m\]: at the middle; of two parts of one cell with
     /// hardly a gap between them, at the middle of both.
     pub(super) at: Dual<F, N>,
+    /// Width over which the distance there is taken \[m\]: of such parts, that of both.
+    pub(super) over: Dual<F, N>,
     /// Coupling `κ` of the pressure to that of the cell before and of the cell after \[m\].
     pub(super) coupling: [Dual<F, N>; 2],
     /// Coupling `κ` to a pressure of zero \[m\].
@@ -42,8 +47,8 @@ pub(crate) struct Cell<F, const N: usize> {
     pub half_length: Dual<F, N>,
     /// `p/(π E*)`; zero where the bodies do not touch.
     pub pressure: Dual<F, N>,
-    /// Whether the bodies touch.
-    pub touches: bool,
+    /// Share of the cell in which the bodies touch, `S'`, from 0 to 1.
+    pub touches: F,
 }
 
 impl<F: Float, const N: usize> Cell<F, N> {
@@ -55,6 +60,7 @@ impl<F: Float, const N: usize> Cell<F, N> {
             y,
             width,
             at: y,
+            over: width,
             coupling: [zero; 2],
             alone: zero,
             share,
@@ -65,8 +71,18 @@ impl<F: Float, const N: usize> Cell<F, N> {
             centre_x: zero,
             half_length: zero,
             pressure: zero,
-            touches: false,
+            touches: F::zero(),
         }
+    }
+
+    /// `c`: about the deflection of the cell per `p/(π E*)` of its own \[m\].
+    pub(super) fn compliance(&self) -> Dual<F, N> {
+        self.over.times(COMPLIANCE)
+    }
+
+    /// `1/S' − 1` of a cell that touches, in part or whole.
+    pub(super) fn softness(&self) -> F {
+        if self.touches > F::zero() { F::one() / self.touches - F::one() } else { F::zero() }
     }
 
     /// `(π/2) a w p/(π E*)`

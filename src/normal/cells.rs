@@ -9,13 +9,24 @@
 //! −∂²u_i/∂x² = Σ_j C_ij p_j/(a_j π E*) = 1/R_i   and keep touching along x (gives a)
 //! ```
 //!
-//! The first condition is solved directly for given lengths. Cells that would pull are removed and
-//! cells whose bodies would overlap are added, until neither happens. The second condition then
-//! corrects the lengths. On a long cell its left-hand side goes with `1/a²`, so that a step
+//! The first condition is solved by Newton's method for given lengths, with `p ≥ 0`. With the
+//! compliance `c_i` of about a cell alone, `e_i = δ − h_i − u_i + c_i p_i/(π E*)` is about the
+//! overlap without the cell's own pressure, and the condition is
+//!
+//! ```text
+//! c_i p_i/(π E*) = S(e_i),   S(e) = 0 (e ≤ −t),   (e + t)²/(4 t),   e (e ≥ t)
+//! ```
+//!
+//! `S` is the mean overlap of a cell over which the overlap varies by `±t`: the share
+//! `S' = (e + t)/(2 t)` of it touches. So a cell begins to touch without a step in the stiffness.
+//! Where every share is 0 or 1, Newton's method removes the cells that would pull and adds those
+//! whose bodies would overlap, until neither happens. The second condition then corrects the
+//! lengths. On a long cell its left-hand side goes with `1/a²`, so that a step
 //! multiplies `a` by the root of the quotient of both sides, or by a little less where the
 //! neighbours move as well.
 //!
-//! The pressure of a cell that the end of a zone cuts is coupled to that of its neighbour,
+//! `h_i` is the mean of the distance over the inner part of the cell. The pressure of
+//! a cell that the end of a zone cuts is coupled to that of its neighbour,
 //! `u_i + κ (p_i − p_k) = δ − h_i` (`layout`).
 
 pub use crate::normal::cell::CELLS;
@@ -53,11 +64,11 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// of each, and whether it may touch, and `centre_x` the centre.
     pub(super) fn fill(
         &mut self,
-        of: impl Fn(Dual<F, N>) -> ([Dual<F, N>; 3], bool),
+        of: impl Fn([Dual<F, N>; 2]) -> ([Dual<F, N>; 3], F),
         centre_x: impl Fn(Dual<F, N>) -> Dual<F, N>,
     ) {
         for cell in self.list.iter_mut() {
-            let ([distance, rolling_radius, half_length], touches) = of(cell.at);
+            let ([distance, rolling_radius, half_length], touches) = of([cell.at, cell.over]);
             (cell.distance, cell.rolling_radius) = (distance, rolling_radius);
             (cell.half_length, cell.touches) = (half_length, touches);
             cell.centre_x = centre_x(cell.y);
@@ -67,10 +78,12 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Finds the pressures for the present lengths and a given load `N/(π E*)` or approach; returns
     /// the approach. Where there is room for the derivatives of the influence in no direction, they
     /// are computed when the pressures are known: four directions would take most of the stack.
+    /// `partly` is the `t` within which a cell touches in part \[m\].
     #[inline(never)]
     pub(crate) fn press<const STORED: usize, const ROOM: usize>(
         &mut self,
         equations: &mut Equations<F, STORED, ROOM>,
+        partly: Dual<F, N>,
         given: Given<Dual<F, N>>,
     ) -> Dual<F, N> {
         equations.make_room(self.list.len());
@@ -88,12 +101,12 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             }
         }
         // (coarse cells may all begin beyond the reach of their zone)
-        if !self.list.iter().any(|cell| cell.touches) {
+        if !self.list.iter().any(|cell| cell.touches > F::zero()) {
             let least = self.list.iter_mut().reduce(|least, cell| {
                 if cell.distance.value < least.distance.value { cell } else { least }
             });
             if let Some(cell) = least {
-                cell.touches = true;
+                cell.touches = F::one();
             }
         }
         let mut approach = Dual::zero();
@@ -101,10 +114,13 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             let mut touching: Vec<usize, CELLS> = Vec::new();
             let mut sides = [[F::zero(); CELLS]; 2];
             let [one, distance] = &mut sides;
-            for (i, cell) in self.list.iter().enumerate().filter(|(_, cell)| cell.touches) {
-                let _ = touching.push(i);
-                if let (Some(one), Some(distance)) = (one.get_mut(i), distance.get_mut(i)) {
-                    (*one, *distance) = (F::one(), cell.distance.value);
+            for (i, cell) in self.list.iter().enumerate() {
+                if cell.touches > F::zero() {
+                    let _ = touching.push(i);
+                    equations.soften(i, cell.compliance().value * cell.softness());
+                    set_at(one, i, F::one());
+                    let rest = partly.value * (F::one() - cell.touches);
+                    set_at(distance, i, cell.distance.value - rest);
                 }
             }
             equations.solve(&touching, &mut sides);
@@ -127,17 +143,20 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             let mut changed = false;
             for (i, (cell, p)) in self.list.iter_mut().zip(&pressures).enumerate() {
                 cell.pressure.value = *p;
-                let stays = if cell.touches {
-                    *p > F::zero()
+                let overlap = if cell.touches > F::zero() {
+                    let rest = partly.value * (F::one() - cell.touches);
+                    cell.compliance().value / cell.touches * *p - rest
                 } else {
-                    // the bodies would overlap
-                    approach.value - cell.distance.value > equations.deflection(i, &pressures)
+                    approach.value - cell.distance.value - equations.deflection(i, &pressures)
                 };
+                let touches = share_that_touches(overlap, partly.value);
                 // many at once at first, then the first of them in each round
-                if stays != cell.touches && (round < TOGETHER || !changed) {
+                // (an error of a share has its square as an error of the pressure)
+                let differs = (touches - cell.touches).abs() > F::EPSILON.sqrt();
+                if differs && (round < TOGETHER || !changed) {
                     changed = true;
                     if round + 1 < ROUNDS {
-                        cell.touches = stays;
+                        cell.touches = touches;
                     }
                 }
             }
@@ -147,12 +166,14 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             if STORED < N {
                 self.add_slopes(equations, &pressures);
             }
-            // A dp = dδ − dh − dA p
+            // (A + c (1/S' − 1)) dp = dδ − dh − dA p + (1 − S') dt − dc (1/S' − 1) p
             for d in 0..N {
                 let of = |number: &Dual<F, N>| number.derivative(d);
                 let mut rest = [F::zero(); CELLS];
                 for (rest, cell) in rest.iter_mut().zip(self.list.iter()) {
-                    *rest = -of(&cell.distance);
+                    let gap = of(&partly) * (F::one() - cell.touches);
+                    let softer = cell.pressure.value * cell.softness() * of(&cell.compliance());
+                    *rest = gap - softer - of(&cell.distance);
                 }
                 equations.solve_for_slopes(d, &touching, &pressures, &mut rest);
                 let mut carried = F::zero();
@@ -176,7 +197,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             break;
         }
         for cell in self.list.iter_mut() {
-            if !(cell.touches && cell.pressure.value > F::zero()) {
+            if !(cell.touches > F::zero() && cell.pressure.value > F::zero()) {
                 cell.pressure = Dual::zero();
             }
         }
@@ -218,7 +239,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         let (less, more) = (Dual::one() - power, Dual::one() + power);
         let mut curvatures = [Dual::zero(); CELLS];
         let mut across = Across::new();
-        for cell in self.list.iter().filter(|cell| cell.touches) {
+        for cell in self.list.iter().filter(|cell| cell.touches > F::zero()) {
             let share = cell.pressure / cell.half_length;
             across.fill::<Curvature, N>(&CellEdges::new(cell), self.list);
             add(&mut curvatures, across.differences().map(|difference| difference * share));
@@ -229,6 +250,12 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             cell.half_length = cell.half_length * ((c * more + less) / (c * less + more));
         }
     }
+}
+
+/// The share `S'` of a cell in which the bodies touch.
+fn share_that_touches<F: Float>(overlap: F, partly: F) -> F {
+    let share = (overlap / partly + F::one()).times(0.5).min(F::one());
+    if share > F::EPSILON.sqrt() { share } else { F::zero() }
 }
 
 /// The edges of a cell.

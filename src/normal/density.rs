@@ -45,6 +45,8 @@ pub(super) struct Zones<F, const N: usize> {
     reach: Dual<F, N>,
     /// Number of places before the zone that has begun.
     pub begun: Option<usize>,
+    /// Whether there were more zones than there is room for.
+    pub joined: bool,
 }
 
 /// A part of a zone along which the density is linear.
@@ -54,7 +56,7 @@ pub(super) struct Stretch<F, const N: usize> {
     /// Where it ends \[m\].
     pub to: Dual<F, N>,
     /// Density at both ends, from 0 to 1.
-    densities: [Dual<F, N>; 2],
+    pub densities: [Dual<F, N>; 2],
 }
 
 impl<F: Float, const N: usize> Stretch<F, N> {
@@ -80,7 +82,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
     #[inline(always)]
     pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
-        Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None }
+        Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None, joined: false }
     }
 
     /// Hands every stretch to `take`, with the number of its zone.
@@ -117,6 +119,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
         let known = self.places.len();
         let room = !self.list.is_full() && known + 3 <= PLACES;
         let last = if room { None } else { self.list.pop() };
+        self.joined |= !room;
         self.begun = Some(known - last.unwrap_or(0).min(known));
         self.pass(y, of);
     }

@@ -20,6 +20,8 @@ struct Row<F, const N: usize, const ROOM: usize> {
     influence: [F; ROOM],
     /// Their derivatives in the directions that have room.
     slopes: [[F; ROOM]; N],
+    /// What is added to the cell's influence on itself in the equations that are solved.
+    softer: F,
     /// Of Gauss's elimination.
     factors: [F; ROOM],
 }
@@ -38,7 +40,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     /// Makes room for so many cells, in place.
     pub(super) fn make_room(&mut self, count: usize) {
         let none = [F::zero(); ROOM];
-        let row = || Row { influence: none, slopes: [none; N], factors: none };
+        let row = || Row { influence: none, slopes: [none; N], softer: F::zero(), factors: none };
         while self.rows.len() < count && self.rows.push(row()).is_ok() {}
     }
 
@@ -61,6 +63,13 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
             for (slopes, change) in row.slopes.iter_mut().zip(kappa.gradient) {
                 add_at(slopes, k, sign * change);
             }
+        }
+    }
+
+    /// Sets what is added to the influence of cell `i` on itself, at first nothing.
+    pub(super) fn soften(&mut self, i: usize, by: F) {
+        if let Some(row) = self.rows.get_mut(i) {
+            row.softer = by;
         }
     }
 
@@ -138,8 +147,9 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     #[inline(always)]
     fn factorise(&mut self, touching: &[usize]) {
         let fours = self.fours();
-        for Row { influence, factors, .. } in &mut self.rows {
+        for (k, Row { influence, softer, factors, .. }) in self.rows.iter_mut().enumerate() {
             *factors = *influence;
+            add_at(factors, k, *softer);
         }
         for (order, &k) in touching.iter().enumerate() {
             let Some(mut pivot) = self.rows.get(k).map(|row| row.factors) else { return };

@@ -23,8 +23,9 @@ use heapless::Vec;
 pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;
-/// Number of cells of the estimate.
+/// Number of cells of the estimate of an ordinary contact, and of one with many lobes.
 const COUNT: usize = 10;
+const MOST: usize = if cfg!(target_os = "none") { COUNT } else { 16 };
 
 /// The load of an approach and its distribution.
 #[derive(Clone, Debug)]
@@ -49,7 +50,7 @@ struct FourEdges<F, const N: usize> {
 }
 
 /// Edges at most.
-const EDGES: usize = 2 * (COUNT + ZONES);
+const EDGES: usize = 2 * (MOST + ZONES);
 const FOURS: usize = EDGES.div_ceil(4);
 
 impl<F: Float, const N: usize> Estimate<F, N> {
@@ -91,7 +92,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         let mut depths: Vec<Dual<F, N>, EDGES> = Vec::new();
         let mut edges: Vec<LoadEdge<F, N>, EDGES> = Vec::new();
         for place in places {
-            let q = (level - curve.at(place.at)).max(zero);
+            let q = (level - curve.over(place.at, place.over)).max(zero);
             let half = place.width.times(0.5);
             let (lower, upper) = (place.y - half, place.y + half);
             let close = half.value.times(1e-4);
@@ -185,7 +186,7 @@ fn place_loads<F: Float, const N: usize>(
 ) {
     let mut zones = Zones::new(approach, curve.smoothing());
     curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
-    layout(&zones, COUNT, cells);
+    layout(&zones, [COUNT, MOST], cells);
 }
 
 /// Numbers of up to four edges side by side.

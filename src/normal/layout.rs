@@ -3,41 +3,75 @@
 //! All zones are laid end to end, and the integral of the [density](super::density) of cells over
 //! them is divided into equal parts. A cell is cut where a zone ends. The cells do not depend on
 //! where the points of the profile lie.
+//!
+//! The number of lobes `k` is half the variation of the density along the zones: each deep zone
+//! counts as one, whether it has neighbours or has just parted from them, and one that has just
+//! begun hardly counts. With more than two lobes there are more cells,
+//!
+//! ```text
+//! n + (n₁ − n) x²/(x² + 6),   x = max(0, k − 2)
+//! ```
+//!
+//! so that each lobe has at least three for up to `n₁/3` of them. Of a number that is not whole the
+//! rest is cut off from the first and from the last cell.
 
-use crate::normal::cell::{CELLS, Cell, Cells};
-use crate::normal::density::{ZONES, Zones};
+use crate::normal::cell::{Cell, Cells};
+use crate::normal::density::Zones;
 use crate::number::{Arithmetic, Dual, Float, add};
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
 const LEANING: f64 = 0.3;
 /// Gap over width of a cell, at which its parts are half apart.
 const NEAR: f64 = 0.5;
-/// Square of the least gap, over that.
+/// Least gap, over half of that width.
 const CLOSEST: f64 = 1e-6;
+/// Lobes that need no more cells than one does.
+const OF_FEW: f64 = 2.0;
+/// Square of the number of further lobes with which there are half as many more cells as at most.
+const HALF_OF_MORE: f64 = 6.0;
+/// Cells that a lobe needs to be resolved.
+const OF_LOBE: f64 = 3.0;
+/// Variation of the density that hardly counts.
+const SLIGHT: f64 = 0.02;
 
-/// At most `count` cells, and one more for each zone but the first: the density of the zones
-/// decides how wide they are. Returns the integral of the density.
+/// At most `count` cells, or `most` where there are many lobes, and one more for each zone but the
+/// first: the density of the zones decides how wide they are. Returns the integral of the density,
+/// and whether there are cells enough for the lobes.
 #[inline(never)]
 pub(super) fn layout<F: Float, const N: usize>(
     zones: &Zones<F, N>,
-    count: usize,
+    [count, most]: [usize; 2],
     cells: &mut Cells<F, N>,
-) -> Dual<F, N> {
+) -> (Dual<F, N>, bool) {
     let list = &mut cells.list;
     list.clear();
-    let count = F::widened(count.min(CELLS - ZONES) as f32);
-    let (mut total, mut far) = (Dual::zero(), F::zero());
-    zones.stretches(&mut |_, stretch| {
+    let zero = Dual::zero();
+    let (mut total, mut far) = (zero, F::zero());
+    let (mut lobes, mut before) = (zero, (usize::MAX, zero));
+    zones.stretches(&mut |zone, stretch| {
         total += stretch.integral();
+        let [low, high] = stretch.densities;
+        if zone != before.0 {
+            lobes += before.1 + low;
+        }
+        lobes += size(high - low);
+        before = (zone, high);
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
-    let inverse = Dual::from_base(count) / total.shift(F::TINY);
+    let lobes = (lobes + before.1).times(0.5);
+    let further = lobes.plus(-OF_FEW).max(zero);
+    let [count, most] = [count, most].map(|count| F::widened(count as f32));
+    let more = further.squared() / further.squared().plus(HALF_OF_MORE);
+    let count = more.scale(most - count).shift(count);
+    let inverse = count / total.shift(F::TINY);
     // what is narrower than rounding, of lengths or of places, is left out
     let least = (F::one() + far * inverse.value) * F::EPSILON.times(64.0);
-    let zero = Dual::zero();
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
-    // where the next stretch begins, in cells
-    let mut begin = zero;
+    // where the next stretch begins, in cells: two of them meet in the middle
+    let half = count.times(0.5);
+    let whole = F::widened(F::whole(half.value) as f32);
+    let middle = if whole < half.value { whole + F::one() } else { whole };
+    let mut begin = Dual::from_base(middle) - half;
     let mut cell = 0_i32;
     let mut add = |from: &Cut<F, N>, to: &Cut<F, N>, cell: i32| {
         let share = to.at - from.at;
@@ -69,7 +103,13 @@ pub(super) fn layout<F: Float, const N: usize>(
         last = Cut { place: stretch.to, at: end, zone };
     });
     add(&own, &last, cell);
-    total
+    (total, lobes.value.times(OF_LOBE) <= count.value)
+}
+
+/// `x²/(|x| + c)`, about the size of a number, without a kink.
+fn size<F: Float, const N: usize>(x: Dual<F, N>) -> Dual<F, N> {
+    let positive = if x.value < F::zero() { -x } else { x };
+    x.squared() / positive.plus(SLIGHT)
 }
 
 /// Where cells are cut.
@@ -83,17 +123,18 @@ struct Cut<F, const N: usize> {
 
 /// Couples the pressures of parts of cells, so that parts vanish and merge without a jump.
 ///
-/// Between two successive parts of one cell, of which all parts have the width `W`, a gap `g`
-/// leaves the nearness `n = (W/2)²/(g² + (W/2)²)`, and the nearness of others is the product of
-/// those between. A part counts as much of the others as they are near: they add to its width `w`,
+/// Two parts of one cell, of which all parts have the width `W`, with the free length `g` between
+/// them have the nearness `n = (W/2)²/(g² + (W/2)²)`, which a part between them that vanishes does
+/// not change. A part counts as much of the others as they are near: they add to its width `w`,
 /// to its share `r` of a whole cell, and to the place where it meets the bodies, which is their
 /// centre. It is coupled to its neighbours in the zone with `κ = 0.3 w (1 − r)²/r`, and the parts
-/// on both sides of a gap are coupled to each other with `0.3 W w₁ w₂/(w₁ + w₂) (W/2)²/g²`, divided
-/// by the part's own width.
+/// on both sides of a gap `g` are coupled to each other with `0.3 W w₁ w₂/(w₁ + w₂) W/(2 g)`,
+/// divided by the part's own width: like springs in series two gaps are as stiff as one of their
+/// length.
 ///
 /// A zone that is less than a cell carries little: with its share `r`, to which other zones add by
 /// their nearness over the free length between, its parts are coupled to a pressure of zero with
-/// `κ = 0.3 w (1 − r)²/r`.
+/// `κ = 0.3 W (1 − r)²/r`.
 #[inline(never)]
 pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
     let list = &mut cells.list;
@@ -130,10 +171,10 @@ fn leaning<F: Float, const N: usize>(
     let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
     let rest = (Dual::one() - share).max(Dual::zero());
     let zone = zone_share(known, i, half_cell);
-    let mut leaning = Cell { at: moment / near, ..*place };
+    let mut leaning = Cell { at: moment / near, over: near, ..*place };
     if zone.value < F::one() {
         let rest = Dual::one() - zone;
-        leaning.alone = (place.width / place.share * rest.squared() / zone).times(LEANING);
+        leaning.alone = cell * rest.squared() / zone;
     }
     let by_zone = cell * rest.squared() / share * near * per_width;
     let sides = [(&below, &above, i.checked_sub(1)), (&above, &below, Some(i + 1))];
@@ -142,10 +183,10 @@ fn leaning<F: Float, const N: usize>(
         if next.zone == place.zone {
             *coupling = by_zone;
         } else if next.number == place.number {
-            let [near, ..] = other.near;
-            let inner = place.width + near;
+            let inner = place.width + other.outer;
             let both = inner * side.outer / (inner + side.outer);
-            let closeness = reach / (side.gap.squared() + reach.times(CLOSEST));
+            let half = width.times(0.5);
+            let closeness = half / (side.gap + half.times(CLOSEST));
             *coupling = width.times(LEANING) * both * closeness * per_width;
         }
     }
@@ -185,7 +226,7 @@ struct Beside<F, const N: usize> {
     near: [Dual<F, N>; 3],
     /// Gap before the next part \[m\].
     gap: Dual<F, N>,
-    /// Width of these parts, times their nearness to the next part.
+    /// Width of these parts.
     outer: Dual<F, N>,
 }
 
@@ -193,8 +234,7 @@ impl<F: Float, const N: usize> Beside<F, N> {
     fn new(known: &[Cell<F, N>], from: usize, step: isize, reach: Dual<F, N>) -> Self {
         let zero = Dual::zero();
         let mut beside = Self { near: [zero; 3], gap: zero, outer: zero };
-        let (mut nearness, mut to_next) = (Dual::one(), None::<Dual<F, N>>);
-        let mut k = from;
+        let (mut free, mut k) = (zero, from);
         while let (Some(own), Some(next)) =
             (known.get(k), k.checked_add_signed(step).and_then(|next| known.get(next)))
         {
@@ -204,14 +244,12 @@ impl<F: Float, const N: usize> Beside<F, N> {
             let apart = next.y - own.y;
             let apart = if step < 0 { -apart } else { apart };
             let gap = (apart - (own.width + next.width).times(0.5)).max(zero);
-            let near = reach / (gap.squared() + reach);
-            nearness = nearness * near;
-            let outer = to_next.map_or(Dual::one(), |product| product * near);
-            if to_next.is_none() {
+            if k == from {
                 beside.gap = gap;
             }
-            to_next = Some(outer);
-            beside.outer += outer * next.width;
+            free += gap;
+            let nearness = reach / (free.squared() + reach);
+            beside.outer += next.width;
             let other = [next.width, next.share, next.width * next.y];
             add(&mut beside.near, other.map(|term| term * nearness));
             k = k.saturating_add_signed(step);

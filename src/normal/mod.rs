@@ -49,7 +49,7 @@ use heapless::Vec;
 /// Number of corrections of the lengths.
 const PASSES: usize = 2;
 /// Pressure over length, by the patch's mean, below which strips are shortened; least share left.
-const LEAST_SLOPE: f64 = 0.25;
+const LEAST_SLOPE: f64 = 0.28;
 const LEAST_LENGTH: f64 = 1e-3;
 
 /// Approach, load and pressure of two profiles in contact.
@@ -158,8 +158,8 @@ impl<F: Float> Indentation<F> {
         cells: &mut Cells<F, N>,
         outline: Outline<F, N>,
     ) -> Result<Self, Error> {
-        let Outline { given, power, iterations, at_end, lowest } = outline;
-        let pressed = solve_pressures(cells, power, given) * cells.skew(given);
+        let Outline { given, power, partly, iterations, warning, lowest } = outline;
+        let pressed = solve_pressures(cells, [power, partly], given) * cells.skew(given);
         let load = cells.load();
         let (by_load, by_approach) = (pressed.derivative(0), load.derivative(0));
         let modulus = contact.modulus().times(PI);
@@ -172,7 +172,7 @@ impl<F: Float> Indentation<F> {
                 _ => by_approach * modulus,
             },
             iterations,
-            warning: if at_end { Warning::ProfileEnd } else { Warning::None },
+            warning,
             lowest: profile.lowest + lowest,
             ..Self::none(profile)
         };
@@ -220,15 +220,15 @@ impl<F: Float> Indentation<F> {
 /// Pressures and corrected lengths of the cells; the approach.
 fn solve_pressures<F: Float, const N: usize>(
     cells: &mut Cells<F, N>,
-    power: Dual<F, N>,
+    by: [Dual<F, N>; 2],
     given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
     let are_few = CELLS == FEW || cells.list.len() <= FEW;
     match (N == 1, are_few) {
-        (true, true) => press_and_correct::<F, N, 1, FEW>(cells, power, given),
-        (true, false) => press_and_correct::<F, N, 1, CELLS>(cells, power, given),
-        (false, true) => press_and_correct::<F, N, 0, FEW>(cells, power, given),
-        (false, false) => press_and_correct::<F, N, 0, CELLS>(cells, power, given),
+        (true, true) => press_and_correct::<F, N, 1, FEW>(cells, by, given),
+        (true, false) => press_and_correct::<F, N, 1, CELLS>(cells, by, given),
+        (false, true) => press_and_correct::<F, N, 0, FEW>(cells, by, given),
+        (false, false) => press_and_correct::<F, N, 0, CELLS>(cells, by, given),
     }
 }
 
@@ -238,14 +238,14 @@ fn solve_pressures<F: Float, const N: usize>(
 #[inline(never)]
 fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: usize>(
     cells: &mut Cells<F, N>,
-    power: Dual<F, N>,
+    [power, partly]: [Dual<F, N>; 2],
     given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
     let mut equations = Equations::<F, STORED, ROOM>::new();
-    let mut pressed = cells.press(&mut equations, given);
+    let mut pressed = cells.press(&mut equations, partly, given);
     for _ in 0..PASSES {
         cells.correct(power);
-        pressed = cells.press(&mut equations, given);
+        pressed = cells.press(&mut equations, partly, given);
     }
     pressed
 }

@@ -11,7 +11,7 @@ use crate::normal::profile::{Profile, invert};
 use crate::normal::profile_contact::ProfileContact;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Arithmetic, Dual, Float};
-use crate::status::Error;
+use crate::status::{Error, Warning};
 use core::f64::consts::PI;
 use heapless::Vec;
 
@@ -23,16 +23,20 @@ const REACH: f64 = 1.6;
 const POWER: f64 = 0.94;
 /// Least square of a half length, over `R δ`.
 const LEAST_SQUARE: f64 = 0.06;
+/// Gap or overlap within which a cell touches in part, over the approach, times the number of
+/// cells: 0.005 for 16 strips.
+const PARTLY: f64 = 0.09;
 
-/// Cells of the normal problem for about `count` strips.
-const fn number_of_cells(count: StripCount) -> usize {
-    match count {
-        StripCount::Four => 8,
-        StripCount::Eight => 12,
-        StripCount::Sixteen => 18,
-        StripCount::ThirtyTwo => 36,
-        StripCount::SixtyFour => 40,
-    }
+/// Cells of the normal problem for about `count` strips, and of a contact with many lobes.
+fn number_of_cells(count: StripCount) -> [usize; 2] {
+    let cells = match count {
+        StripCount::Four => [8, 18],
+        StripCount::Eight => [12, 22],
+        StripCount::Sixteen => [18, 28],
+        StripCount::ThirtyTwo => [36, 40],
+        StripCount::SixtyFour => [40, 40],
+    };
+    cells.map(|cells| cells.min(CELLS - ZONES))
 }
 
 /// Passes memory for the cells of a patch of so many strips to a function. Most patches have no
@@ -41,7 +45,8 @@ pub(crate) fn with_cells<F: Float, R, const N: usize>(
     count: StripCount,
     function: impl FnOnce(&mut Cells<F, N>) -> R,
 ) -> R {
-    if FEW == CELLS || number_of_cells(count) + ZONES <= FEW {
+    let [_, most] = number_of_cells(count);
+    if FEW == CELLS || most + ZONES <= FEW {
         with_room_for::<F, R, N, FEW>(function)
     } else {
         with_room_for::<F, R, N, CELLS>(function)
@@ -62,9 +67,11 @@ pub(super) struct Outline<F, const N: usize> {
     pub given: Given<Dual<F, N>>,
     /// Of a correction of the lengths.
     pub power: Dual<F, N>,
+    /// Gap or overlap of the bodies within which a cell touches in part \[m\].
+    pub partly: Dual<F, N>,
     pub iterations: u32,
-    /// Whether a zone ends with the profile.
-    pub at_end: bool,
+    /// Of zones that end with the profile, or of too many.
+    pub warning: Warning,
     /// Lowest point of the smoothed profile above that of the given points.
     pub lowest: F,
 }
@@ -143,18 +150,21 @@ impl<F: Float, const N: usize> Outline<F, N> {
         count: StripCount,
         cells: &mut Cells<F, N>,
     ) -> Self {
-        let (at_end, radius, width) = touching(curve, approach, radius, count, cells);
+        let (warning, radius, width) = touching(curve, approach, radius, count, cells);
         lean(cells);
         let first_lengths = Lengths::new(width, radius, approach);
-        let of = |y| {
-            let height = curve.at(y);
+        let of = |[y, over]: [Dual<F, N>; 2]| {
+            let height = curve.over(y, over);
             let radius = profile.rolling_radius(y, contact.rolling_radius);
             let touches = approach.value.times(OVERLAP) > height.value;
+            let touches = if touches { F::one() } else { F::zero() };
             ([height, radius, first_lengths.at(height, radius)], touches)
         };
         cells.fill(of, |y| profile.centre_x(y));
         let power = first_lengths.power(given);
-        Self { given, power, iterations: 0, at_end, lowest: F::zero() }
+        let [cells, _] = number_of_cells(count);
+        let partly = approach.times(PARTLY).scale(F::one() / F::widened(cells as f32));
+        Self { given, power, partly, iterations: 0, warning, lowest: F::zero() }
     }
 }
 
@@ -168,15 +178,16 @@ fn touching<F: Float, const N: usize>(
     of_loads: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     count: StripCount,
     cells: &mut Cells<F, N>,
-) -> (bool, Dual<F, N>, Dual<F, N>) {
+) -> (Warning, Dual<F, N>, Dual<F, N>) {
     let mut estimate = Estimate::nothing();
     let mut radius = Dual::zero();
     estimate.fill(curve, approach, cells, |loads| {
         radius = of_loads(loads);
         radius
     });
-    let (at_end, width) = cells_of_zones(curve, &estimate, approach, number_of_cells(count), cells);
-    (at_end, radius, width)
+    let count = number_of_cells(count);
+    let (warning, width) = cells_of_zones(curve, &estimate, approach, count, cells);
+    (warning, radius, width)
 }
 
 /// The part of it that needs the zones.
@@ -185,16 +196,22 @@ fn cells_of_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
     estimate: &Estimate<F, N>,
     approach: Dual<F, N>,
-    count: usize,
+    count: [usize; 2],
     cells: &mut Cells<F, N>,
-) -> (bool, Dual<F, N>) {
+) -> (Warning, Dual<F, N>) {
     let mut zones = Zones::new(approach, curve.smoothing());
     let at_end = curve.zones(&mut zones, |y, height, slope| {
         let [deflection, bend] = estimate.deflection(y);
         let height = height - approach + deflection.times(DEFLECTED);
         [height, slope + bend.times(DEFLECTED)]
     });
-    (at_end, layout(&zones, count, cells))
+    let (width, resolved) = layout(&zones, count, cells);
+    let warning = match (at_end, resolved && !zones.joined) {
+        (true, _) => Warning::ProfileEnd,
+        (_, false) => Warning::Rough,
+        _ => Warning::None,
+    };
+    (warning, width)
 }
 
 /// First half lengths: of an ellipse at whose rim the undeformed bodies are `λ δ` apart.

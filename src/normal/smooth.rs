@@ -18,6 +18,8 @@ const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 const PIECES: f64 = 4096.0;
 /// Smoothing length of wide contacts \[m\].
 const WIDEST: f64 = 2e-3;
+/// `1/(2√3)`
+const GAUSS: f64 = 0.288_675_134_594_812_9;
 /// Smoothing length of narrow contacts over their width.
 const SHARE: f64 = 0.5;
 
@@ -364,6 +366,13 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// Place, height above the lowest point, and slope of a knot.
     pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F, N>) -> [Dual<F, N>; 3] {
         [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
+    }
+
+    /// Height over the inner part of a width: the mean of that of the middle and that over the
+    /// width, which is the mean at both points of Gauss's rule.
+    pub(super) fn over(&self, y: Dual<F, N>, width: Dual<F, N>) -> Dual<F, N> {
+        let beside = width.times(GAUSS);
+        (self.at(y - beside) + self.at(y + beside)).times(0.25) + self.at(y).times(0.5)
     }
 
     /// Height above the lowest point.

@@ -326,8 +326,9 @@ pub fn from_gap<F: Float>(
             contact.share = group.share.clamped(F::zero(), F::one());
             Error::Overflow.unless(contact.is_finite())?;
             found.written += 1;
+            found.warning = found.warning.worse(pressed.warning);
             if contact.is_conformal() {
-                found.warning = Warning::AngleRange;
+                found.warning = found.warning.worse(Warning::AngleRange);
             }
         }
         Ok(found)

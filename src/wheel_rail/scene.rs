@@ -93,12 +93,12 @@ impl<'a, F: Float> Scene<'a, F> {
         memory: &mut Workspace<F>,
         by_velocity: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
-        self.place(&state.position, memory)?;
+        let placed = self.place(&state.position, memory)?;
         let Workspace { strips, contacts, count, apart, .. } = memory;
         let found = contacts.get(..*count as usize).unwrap_or(&[]);
         let velocity = &state.velocity;
         let wrench = wrench::of_contacts_in(strips, found, velocity, self.law, by_velocity)?;
-        Ok(Wrench { contacts: *apart, ..wrench })
+        Ok(Wrench { contacts: *apart, warning: wrench.warning.worse(placed), ..wrench })
     }
 
     /// Computes the wrench of a position and a velocity.

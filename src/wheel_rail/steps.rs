@@ -24,7 +24,7 @@ use core::slice::from_ref;
 /// Share by which overlap and shape change over a step, over the root of their rounding.
 const SMALL: f64 = 5.0;
 /// Change of a creepage over a step, over the root of its product with the rounding of speeds.
-const SMALL_SLIP: f64 = 1.4;
+const SMALL_SLIP: f64 = 2.8;
 
 /// Largest change of a cell over a step, over its width or length: cells of a zone that has just
 /// begun change without a bound, and carry nothing.
@@ -284,7 +284,7 @@ impl<'a, F: Float> View<'a, F> {
     /// of the lowest point, and `α'` of the wheel's turn,
     ///
     /// ```text
-    /// h = √ε/(D/5 + C/1.4),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
+    /// h = √ε/(D/5 + C/2.8),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
     /// ```
     fn length_of_step(
         &self,

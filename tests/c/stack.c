@@ -250,7 +250,7 @@ int main(void)
         long most = 0;
         for (m = 0; m < 9; m++) {
             long bytes;
-            options.model = models[m / 3], options.strips = 8 << (m % 3);
+            options.model = models[m / 3], options.strips = (const int[]){8, 32, 64}[m % 3];
             bytes = used(&calls[k]);
             most = bytes > most ? bytes : most;
             if (calls[k].status < 0) {

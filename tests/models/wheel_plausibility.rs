@@ -191,7 +191,7 @@ fn coarse_profiles_are_smoothed_or_told() {
         worst_through = worst_through.max(off(pressed(&through, lateral)));
     }
     println!("smoothed {worst:.3}, through all points {worst_through:.3}");
-    assert!(worst < 0.35 && worst_through > 2.0, "{worst} {worst_through}");
+    assert!(worst < 0.35 && worst_through > 1.0, "{worst} {worst_through}");
     // what is drawn is not smoothed at all; between drawn and rough nothing jumps
     assert_eq!(drawn.z, thinned(3, &none, 1e-9).z);
     let mut at = |share: f64| {

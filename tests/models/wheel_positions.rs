@@ -57,8 +57,8 @@ fn errors(
             found.ok().map(|wrench| wrench.members())
         };
         let largest = |list: Members| list.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let best = [1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9]
-            .map(|h| if k == 2 { 10.0 * h } else { h })
+        let best = [1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9]
+            .map(|h| if k == 2 { 3.0 * h } else { h })
             .into_iter()
             .filter_map(|h| differences(&mut at, h))
             .map(|(found, doubt)| (largest(doubt) / largest(found), found))

@@ -15,7 +15,8 @@ _statuses = {v: k for k, v in constants.items() if k.startswith(("KSTRIP_WARNING
 #: Of several warnings the one with the largest number is told: the order of kstrip.h.
 _RANK = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "SUPPORT": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "UNDETERMINED": 3, "PRESSURE": 2, "CREEPAGE": 2,
          "SEMI_AXIS": 2, "SPIN_UNIT": 2, "FRICTION": 2, "RADIUS": 2,
-         "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2, "UNSET": 2, "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1}
+         "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2, "UNSET": 2, "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1,
+         "ROUGH": 1}
 
 
 def _says(status: int, index: Optional[tuple[int, ...]]) -> str:

@@ -10,10 +10,9 @@ use crate::wheel_rail::wrench::Law;
 /// The points are in their order along the profile. They may run either way along y, turn back (as
 /// those of a measured flange do), lie at any distances, coincide, be scanned twice and scatter:
 /// parts of the profile that are scanned again, single points in the wrong order, and points nearer
-/// to each other than their scatter are averaged. Strays are left out, one of 128 points at most:
-/// points farther beside the others than these are from each other. The flange of a wheel and the
-/// gauge side of a rail are at small y (profiles of a right wheel), and z points down. The prepared
-/// points are one step apart.
+/// to each other than their scatter are averaged. Single strays, one of 128 points, are left out.
+/// The flange of a wheel and the gauge side of a rail are at small y (profiles of a right wheel),
+/// and z points down. The prepared points are one step apart.
 ///
 /// @param y, z, points    the points [m], at least 4. Those of a rail are measured from its origin,
 ///                        those of a wheel from its running circle; the z of a wheel is its radius
@@ -59,8 +58,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 ///                        For kstrip_contacts_from_gap() it must be at least 3 d + min(1 mm,
 ///                        sqrt(s^2 + 6.25 d^2)/2), or 2 mm if that is less, with the step d of the
-///                        wheel and smoothing_length s: nearer points count when the distance is
-///                        smoothed, and contacts change where they are left out.
+///                        wheel and smoothing_length s: nearer points count in the smoothing.
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
 ///                        and reach where no point is nearer; NULL: not needed.
