@@ -12,8 +12,8 @@
 //! n + (n₁ − n) x²/(x² + 6),   x = max(0, k − 2)
 //! ```
 //!
-//! so that each lobe has at least three for up to `n₁/3` of them. Of a number that is not whole the
-//! rest is cut off from the first and from the last cell.
+//! so that with 16 strips (18 to 28 cells) each of eight lobes has at least three. Of a number that
+//! is not whole, half of the rest is in the first cell and half in the last.
 
 use crate::normal::cell::{Cell, Cells};
 use crate::normal::density::Zones;
