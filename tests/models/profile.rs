@@ -381,6 +381,11 @@ fn wide_contacts_do_not_jump() {
         let by_load = largest_jump(by_load, [50e3, 500e3], 60);
         println!("trial {trial}: {by_approach:e} {by_load:e}");
         assert!(by_approach.max(by_load) < 1e-9, "trial {trial}: {by_approach:e} {by_load:e}");
+        // a constant that is added to the distance moves no knot
+        let lifted: Vec<f64> = distance.iter().map(|distance| distance + 1e-3).collect();
+        let contact = ProfileContact { smoothing_length: 1e-3, ..pressed(0.46, 80e3) };
+        let [plain, lifted] = [&distance, &lifted].map(|h| built(&y, h, &contact, count).1);
+        assert_relative_eq!(lifted.approach, plain.approach, max_relative = 1e-9);
     }
 }
 
