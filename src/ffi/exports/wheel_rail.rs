@@ -187,10 +187,10 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
 /// kstrip_wrench_from_contacts().
 ///
-/// In a curve, pass the velocity relative to the momentary track, which is at rest. On a roller,
-/// pass that of the wheel's centre in the axes of the rig, in which the roller turns. Force and
-/// moment are continuous in position and velocity: a contact appears and vanishes with zero load,
-/// and two contacts whose distance falls from 8 to 4 mm become one. The time is bounded.
+/// In a curve, pass the velocity relative to the momentary track, which is at rest; on a roller
+/// that of the wheel's centre in the axes of the rig. Force and moment are continuous in position
+/// and velocity, but where a rail is so rough that its normals cross below the wheel. A contact
+/// appears and vanishes with zero load, and two become one between 8 and 4 mm. The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.
