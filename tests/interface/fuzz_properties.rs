@@ -158,10 +158,10 @@ fn solved<F: Float>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error
 #[test]
 fn numbers_at_the_ends_of_their_range() {
     const MOST: f64 = f64::MAX;
-    // the moment; spin times semi-axis, where nothing is carried; traction times slip
+    // the moment; moment times spin; spin times semi-axis, where nothing is carried; traction times
+    // slip
     let needle = [1.0, MOST, 0.5, 0.5, 0.25, 1.0, 0.0, 0.0, -0.09, 0.0];
     assert_eq!(solved(Model::Strip1967, needle), Err(Error::Overflow));
-    // moment times spin, alone
     let round = [0.01, 0.01, 1e300, 1e300, 0.25, 1.0, 0.0, 0.0, 1e12, 0.0];
     assert_eq!(solved(Model::Strip, round), Err(Error::Overflow));
     let light = [1e150, 1e150, 1e5, 1e38, 0.25, 5e-324, 0.0, -1e-4, MOST, 0.0];
