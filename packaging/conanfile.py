@@ -12,8 +12,8 @@ from conan.tools.files import copy, load
 
 required_conan_version = ">=2.0"
 
-# What the build needs, and what goes along with it
-SOURCES = ("src/*", "include/*", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "LICENSE-APACHE", "LICENSE-MIT")
+# What the build needs, and what goes along with it (cargo reads the manifest of the tests' crate, which it does not build)
+SOURCES = ("src/*", "include/*", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "tests/common/Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT")
 
 
 class Kstrip(ConanFile):

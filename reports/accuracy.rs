@@ -14,22 +14,17 @@ mod peers;
 mod pictures;
 #[path = "common/progress.rs"]
 mod progress;
-#[path = "../tests/common/random.rs"]
-mod random;
-#[path = "../tests/common/reference.rs"]
-mod reference;
-#[path = "../tests/common/slopes.rs"]
-mod slopes;
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
+use kstrip_testing::reference::*;
+use kstrip_testing::toolchain::root;
 use lines::Lines;
 use peer_methods::*;
 use peers::fastsim::{Bound, Flexibility, Layout};
 use peers::{polach, shen_hedrick_elkins, vermeulen_johnson};
 use pictures::*;
 use plotters::style::RGBColor;
-use reference::*;
 use std::path::Path;
 
 /// A method and its errors on all cases of a set.
@@ -1029,7 +1024,7 @@ fn coefficient_picture(path: &Path) -> Drawn {
 }
 
 fn main() -> Drawn {
-    let docs = project().join("docs/reference");
+    let docs = root().join("docs/reference");
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();

@@ -2,8 +2,6 @@
 //! SVG under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
 //! `cargo bench --bench figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
-#[path = "../tests/common/manchester.rs"]
-mod manchester;
 #[path = "figures/panel.rs"]
 mod panel;
 #[path = "figures/runs.rs"]

@@ -7,8 +7,6 @@
 mod clock;
 #[path = "common/lines.rs"]
 mod lines;
-#[path = "../tests/common/patch_reference.rs"]
-mod patch_reference;
 #[allow(dead_code)]
 #[path = "accuracy/pictures.rs"]
 mod pictures;
@@ -20,8 +18,10 @@ use kstrip::forces::{self, Model, Options};
 use kstrip::normal::cells::Given;
 use kstrip::normal::{Profile, ProfileContact};
 use kstrip::patch::solver;
+use kstrip_testing::patch_reference::{
+    Case, Errors, Full, banded, falling, given, profiles, real, statistics,
+};
 use lines::Lines;
-use patch_reference::{Case, Errors, Full, banded, falling, given, profiles, real, statistics};
 use pictures::{
     Align, Axis, BLUE, Canvas, Drawn, INK, ORANGE, PALE, Plot, dot, line, picture, write,
 };

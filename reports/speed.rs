@@ -13,8 +13,6 @@ mod calls;
 mod clock;
 #[path = "common/lines.rs"]
 mod lines;
-#[path = "../tests/common/names.rs"]
-mod names;
 #[path = "common/peer_methods.rs"]
 mod peer_methods;
 #[path = "../benches/peers/mod.rs"]
@@ -26,19 +24,14 @@ mod pictures;
 mod plot;
 #[path = "common/progress.rs"]
 mod progress;
-#[path = "../tests/common/random.rs"]
-mod random;
-#[path = "../tests/common/reference.rs"]
-mod reference;
-#[path = "../tests/common/slopes.rs"]
-mod slopes;
 
 use calls::{AVX2, BATCHES, CALLS, How, LANES, Row, SCALAR, SETS, Set};
+use kstrip_testing::reference;
+use kstrip_testing::toolchain::root;
 use lines::Lines;
 use pictures::*;
 use plot::Mark;
 use plotters::style::RGBColor;
-use reference::project;
 use std::process::Command;
 
 /// Rounds over all rows, of which the median counts.
@@ -109,7 +102,7 @@ fn machine() -> String {
     let load = read("/proc/loadavg");
     let load = load.split(' ').next().filter(|load| !load.is_empty()).unwrap_or("unknown");
     let says = |program: &str, arguments: &[&str]| {
-        let output = Command::new(program).args(arguments).current_dir(project()).output();
+        let output = Command::new(program).args(arguments).current_dir(root()).output();
         output.map_or("?".to_owned(), |output| {
             String::from_utf8_lossy(&output.stdout).trim().to_owned()
         })
@@ -253,7 +246,7 @@ impl Report {
 
     /// Ratios on this processor and on others, and counts of instructions.
     fn processors(&mut self, machine: &str) {
-        let counts = std::fs::read_to_string(project().join("benches/instructions.txt"));
+        let counts = std::fs::read_to_string(root().join("benches/instructions.txt"));
         let counts = counts.unwrap_or_default();
         let instructions = |start: &str| {
             let count = counts.lines().find_map(|line| line.strip_prefix(start));
@@ -562,8 +555,8 @@ fn main() -> Drawn {
         return Ok(());
     }
     let marks: Vec<Mark> = report.rows.iter().filter_map(|row| report.mark(row)).collect();
-    std::fs::write(project().join("docs/reference/speed-vs-error.md"), &report.text)?;
-    plot::draw(&project().join("docs/reference/speed-vs-error.svg"), &marks)?;
+    std::fs::write(root().join("docs/reference/speed-vs-error.md"), &report.text)?;
+    plot::draw(&root().join("docs/reference/speed-vs-error.svg"), &marks)?;
     println!("wrote docs/reference/speed-vs-error.md and docs/reference/speed-vs-error.svg");
     Ok(())
 }

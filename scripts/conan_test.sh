@@ -33,7 +33,7 @@ for shared in False True; do
     echo "conan create, shared=$shared: the C and the C++ client run"
 done
 sources=$(find "$work/home/p" -type d -path '*/es' | head -n 1)
-for name in src include scripts/library.sh Cargo.toml Cargo.lock LICENSE-APACHE LICENSE-MIT; do
+for name in src include scripts/library.sh Cargo.toml Cargo.lock tests/common/Cargo.toml LICENSE-APACHE LICENSE-MIT; do
     diff -r "$name" "$sources/$name" > "$work/log" || { cat "$work/log"; fail "the package has another $name"; }
 done
 cargo fetch --quiet --locked --manifest-path "$sources/Cargo.toml" > "$work/log" 2>&1 || { cat "$work/log"; fail "cargo cannot read its sources"; }

@@ -8,7 +8,8 @@ cd "$(dirname "$0")/.."
 work=${CARGO_TARGET_DIR:-$PWD/target}/minimal_versions
 rm -rf "$work/source"
 mkdir -p "$work/source"
-cargo package --list --allow-dirty | grep -v -e '^Cargo.toml.orig$' -e '^.cargo_vcs_info.json$' | tr '\n' '\0' | xargs -0 cp --parents -t "$work/source"
+# (the manifest of the tests' crate is not sent, but here cargo reads it)
+{ cargo package --list --allow-dirty | grep -v -e '^Cargo.toml.orig$' -e '^.cargo_vcs_info.json$'; echo tests/common/Cargo.toml; } | tr '\n' '\0' | xargs -0 cp --parents -t "$work/source"
 cd "$work/source"
 if ! RUSTC_BOOTSTRAP=1 cargo update --quiet -Z direct-minimal-versions 2> "$work/update.log"; then
     if grep -qiE 'could not (resolve|connect)|failed to (download|get)|network|timed out|offline' "$work/update.log"; then

@@ -43,7 +43,7 @@ CARGO_TARGET_DIR=$target "$work/pip/bin/python" -m build --sdist --wheel --outdi
     { cat "$work/log"; fail "python -m build"; }
 mkdir "$work/unpacked"
 tar -xzf "$work"/dist/*.tar.gz -C "$work/unpacked" --strip-components 1
-for name in src include scripts/library.sh Cargo.toml Cargo.lock LICENSE-APACHE LICENSE-MIT; do
+for name in src include scripts/library.sh Cargo.toml Cargo.lock tests/common/Cargo.toml LICENSE-APACHE LICENSE-MIT; do
     diff -r "$root/$name" "$work/unpacked/rust/$name" > "$work/log" || { cat "$work/log"; fail "the source distribution has another $name"; }
 done
 # (cargo reads it without the files that it leaves out)

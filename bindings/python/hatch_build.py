@@ -10,8 +10,8 @@ import sysconfig
 from elftools.elf.elffile import ELFFile
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 
-# What cargo needs; in a source distribution it stands in `rust`.
-SOURCES = ("src", "include", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "LICENSE-APACHE", "LICENSE-MIT")
+# What cargo needs, with the manifest of the tests' crate, which it reads but does not build; in a source distribution it stands in `rust`.
+SOURCES = ("src", "include", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "tests/common/Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT")
 
 
 def platform_of(library):

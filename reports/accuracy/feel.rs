@@ -4,11 +4,11 @@ use crate::lines::Lines;
 use crate::peer_methods::{Solver, fastrip_on, fastsim_on, input};
 use crate::peers::fastsim::{Bound, Flexibility, Layout};
 use crate::pictures::*;
-use crate::reference::*;
-use crate::slopes::*;
 use crate::{Report, digits, has_strips};
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
+use kstrip_testing::reference::*;
+use kstrip_testing::slopes::*;
 use plotters::style::RGBColor;
 use std::path::Path;
 

@@ -1,10 +1,10 @@
 //! The methods of `benches/peers` as one kind of function, for the reports. The file that includes
-//! this one includes the modules `peers` and `reference` too.
+//! this one includes the module `peers` too.
 
 use crate::peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use crate::peers::{Input, Output, fastrip, fastsim};
-use crate::reference::{Answer, Case, CoefficientCase, Errors};
 use kstrip::linear::LinearCoefficients;
+use kstrip_testing::reference::{Answer, Case, CoefficientCase, Errors};
 
 /// The contact of a case as the other methods want it. For the cases of `open.csv` they get the
 /// linear coefficients that CONTACT itself computed, else those of the library.

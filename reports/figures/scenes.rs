@@ -5,9 +5,9 @@
 #[path = "../../examples/wheelset.rs"]
 mod wheelset;
 
-use super::manchester::{self, Wheel, Wheelset};
 use super::panel::{Axis, Panel};
 use super::{Canvas, Drawn, Kind, picture, write};
+use kstrip_testing::manchester::{self, Wheel, Wheelset};
 use plotters::prelude::*;
 use std::path::Path;
 
@@ -36,7 +36,7 @@ type Value = fn(&Wheel) -> f64;
 
 fn draw_manchester(folder: &Path) -> Drawn {
     let theirs = manchester::contact();
-    let mut wheelset = Wheelset::new();
+    let mut wheelset = Wheelset::default();
     let shifts: Vec<f64> = (0..=100).map(|i| 0.1 * f64::from(i)).collect();
     let ours: Vec<[Wheel; 2]> = shifts.iter().map(|shift| wheelset.at(shift * 1e-3)).collect();
     let shift = || axis("lateral shift [mm]", &[0.0, 2.0, 4.0, 6.0, 8.0, 10.0], 0);

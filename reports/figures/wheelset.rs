@@ -1,7 +1,6 @@
 //! A wheel S1002 on a rail 60E1, moved sideways under 80 kN: the forces on the wheel against its
 //! lateral shift.
 
-use super::manchester::{profile, steel, zeroed};
 use super::panel::{Axis, Panel};
 use super::{Drawn, Kind, picture, write};
 use kstrip::contact::totals::StripCount;
@@ -9,6 +8,7 @@ use kstrip::forces::options::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
 use kstrip::wheel_rail::wrench::Law;
 use kstrip::wheel_rail::{BodyState, Position, Velocity};
+use kstrip_testing::manchester::{profile, steel, zeroed};
 use plotters::prelude::*;
 use std::path::Path;
 

@@ -1,13 +1,9 @@
 //! What is measured: calls of every model through the C interface, and of every other method, on
 //! the same inputs.
 
-use crate::names::*;
 use crate::peer_methods::*;
 use crate::peers::fastsim::{Bound, Flexibility, Grid, Layout, solve as fastsim};
 use crate::peers::{Input, Output, polach, shen_hedrick_elkins, vermeulen_johnson};
-use crate::random::Random;
-use crate::reference::*;
-use crate::slopes::{SlopeCase, linear_steps, slope_cases};
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
@@ -18,6 +14,10 @@ use kstrip::forces::{Model, Solution};
 use kstrip::friction::SlipFriction;
 use kstrip::linear::LinearCoefficients;
 use kstrip::number::Float;
+use kstrip_testing::names::*;
+use kstrip_testing::random::Random;
+use kstrip_testing::reference::*;
+use kstrip_testing::slopes::{SlopeCase, linear_steps, slope_cases};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use std::hint::black_box;

@@ -1,15 +1,15 @@
 //! C programs against the header and the library: the examples with their numbers, the layout
 //! of every structure, the answers to bad input, the language standards, threads.
 
-use crate::header::{Declared, Structure};
-use crate::names::*;
-use crate::prelude::*;
-use crate::toolchain::{
+use core::mem::{offset_of, size_of};
+use kstrip::ffi;
+use kstrip_testing::header::{Declared, Structure};
+use kstrip_testing::names::*;
+use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::{
     build_c_with, check_header, compile_with, has_cpp, knows, run_c, run_c_with,
     symbols_of_library, write_scratch,
 };
-use core::mem::{offset_of, size_of};
-use kstrip::ffi;
 use std::process::Command;
 
 /// The contact of examples 02 to 05 and 07.
@@ -727,7 +727,7 @@ macro_rules! layouts {
 fn rust_layouts() -> BTreeMap<String, usize> {
     let double: BTreeMap<String, usize> = include!("../c/layout.rs");
     let single: BTreeMap<String, usize> = {
-        use crate::names::single::*;
+        use kstrip_testing::names::single::*;
         include!("../c/layout.rs")
     };
     let named = |key: String| {

@@ -1,9 +1,9 @@
 //! `include/kstrip.hpp`: the C++ example with its numbers, and that nothing of the C header is
 //! missing.
 
-use crate::prelude::*;
 use kstrip::forces::derivatives;
 use kstrip::friction;
+use kstrip_testing::prelude::*;
 use std::process::Command;
 
 // (c++2b is C++23, by its name in older compilers)

@@ -5,9 +5,9 @@
 //! the program prints at that place. Shell blocks run in the root of the repository. `no-run` after
 //! the language of a shell block: it is only parsed, and the scripts that it names must exist.
 
-use crate::prelude::*;
 use crate::structure::rust_files;
-use crate::toolchain::{python, released};
+use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::{python, released};
 use std::path::PathBuf;
 use std::process::Command;
 

@@ -1,7 +1,7 @@
 //! The functions that are made for microcontrollers.
 
-use crate::names::*;
 use kstrip::forces::Solution;
+use kstrip_testing::names::*;
 use std::mem::MaybeUninit;
 
 macro_rules! same_as_solve {

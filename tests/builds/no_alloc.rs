@@ -1,6 +1,6 @@
 //! Nothing in the library allocates: an allocator that counts calls gets none.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 use std::hint::black_box;
@@ -95,7 +95,7 @@ fn nothing_allocates() {
 
 #[test]
 fn c_functions_do_not_allocate() {
-    use crate::names::*;
+    use kstrip_testing::names::*;
     use std::mem::MaybeUninit;
     let numbers = [6e-3, 4e-3, 80e3, 82e9, 0.28, 0.3, 1e-3, -1e-3, 0.3, 0.0];
     let (contact, creepage) = problem(numbers);

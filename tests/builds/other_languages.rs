@@ -1,8 +1,8 @@
 //! Fortran, MATLAB and Octave.
 
 use crate::fortran;
-use crate::prelude::*;
-use crate::toolchain::library;
+use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::library;
 use std::path::PathBuf;
 use std::process::Command;
 

@@ -4,7 +4,7 @@
 use kstrip::ffi::KSTRIP_ABI_VERSION;
 use serde_json::Value;
 
-use crate::toolchain::root;
+use kstrip_testing::toolchain::root;
 use std::collections::BTreeSet;
 use std::process::Command;
 

@@ -1,6 +1,6 @@
 //! The scripts that prove something say what they could not do.
 
-use crate::toolchain::{root, scratch};
+use kstrip_testing::toolchain::{root, scratch};
 use std::process::Command;
 
 /// A proof whose tool is missing ends with status 77 and a line that begins with SKIPPED; `.ci/run`

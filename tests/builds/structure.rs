@@ -1,7 +1,7 @@
 //! The structure of the sources: which folder and which file uses which, and the width of lines.
 
 use crate::docs::{blocks, entries, read};
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 use std::path::PathBuf;
 
 /// Pairs of a user and what it uses.

@@ -5,6 +5,7 @@
 //! has it; its roll itself is not at hand, which counts where the flange begins to climb (6.5 to
 //! 7.5 mm).
 
+use crate::toolchain::root;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
@@ -45,7 +46,7 @@ pub struct Wheel {
 
 /// CONTACT's figures: whether the wheel is the left one, shift [mm], and what it does.
 pub fn contact() -> Vec<(bool, f64, Wheel)> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/wheel_rail/manchester.csv");
+    let path = root().join("tests/data/wheel_rail/manchester.csv");
     let row = |record: csv::StringRecord| {
         let number = |i: usize| record[i].parse::<f64>().unwrap();
         let [shift, fx, fy, load, y, angle, area, peak] = std::array::from_fn(|i| number(i + 1));
@@ -63,7 +64,7 @@ pub fn zeroed<T>() -> Box<T> {
 
 /// Columns y and z of a file of `tests/data/wheel_rail` [m].
 pub fn points(name: &str) -> [Vec<f64>; 2] {
-    let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
+    let path = root().join(format!("tests/data/wheel_rail/{name}.csv"));
     let records: Vec<csv::StringRecord> =
         csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect();
     [0, 1].map(|i| records.iter().map(|record| 1e-3 * record[i].parse::<f64>().unwrap()).collect())
@@ -93,11 +94,13 @@ pub struct Wheelset {
     memory: Box<Workspace<f64>>,
 }
 
-impl Wheelset {
-    pub fn new() -> Self {
+impl Default for Wheelset {
+    fn default() -> Self {
         Self { rail: profile("uic60"), wheel: profile("s1002"), memory: zeroed() }
     }
+}
 
+impl Wheelset {
     /// The right wheel and the left one at a shift [m].
     pub fn at(&mut self, shift: f64) -> [Wheel; 2] {
         self.with_position(shift).0

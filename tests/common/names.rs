@@ -1,11 +1,8 @@
 //! The structures and functions of the C interface under their names in C.
-#![allow(dead_code, unused_imports)]
 
-#[path = "places.rs"]
-mod places;
-#[path = "structures.rs"]
-mod structures;
-
+pub use crate::places::*;
+pub use crate::structures::double::*;
+pub use crate::structures::single;
 pub use kstrip::ffi::double::*;
 pub use kstrip::ffi::single::{
     kstrip_evaluate as kstrip_evaluate_f32, kstrip_evaluate_batch as kstrip_evaluate_batch_f32,
@@ -18,6 +15,3 @@ pub use kstrip::ffi::single::{
 };
 pub use kstrip::ffi::types::kstrip_options;
 pub use kstrip::ffi::*;
-pub use places::*;
-pub use structures::double::*;
-pub use structures::single;

@@ -1,7 +1,7 @@
 //! Patches computed with CONTACT (`tests/data/patches`), and how far ours are from them. Used by
 //! `tests/models/patch_accuracy.rs` and by `reports/patches.rs`.
-#![allow(dead_code)]
 
+use crate::toolchain::root;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
@@ -11,7 +11,6 @@ use kstrip::normal::cells::Given;
 use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, friction, solver};
 use std::collections::HashMap;
-use std::path::Path;
 
 pub type Full = Patch<f64, 64>;
 
@@ -23,7 +22,7 @@ fn rows(file: &str) -> Vec<Row> {
 }
 
 fn rows_of(folder: &str, file: &str) -> Vec<Row> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(folder).join(file);
+    let path = root().join("tests/data").join(folder).join(file);
     let mut reader = csv::Reader::from_path(path).unwrap();
     reader.deserialize().map(|row| row.unwrap()).collect()
 }

@@ -1,5 +1,4 @@
 //! Inputs and outputs of calls in C: where numbers lie.
-#![allow(dead_code)]
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;

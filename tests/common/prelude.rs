@@ -1,7 +1,11 @@
 //! What most tests use.
 
-#![allow(unused_imports, dead_code)]
-
+pub use crate::header;
+pub use crate::manchester::{self, points, prepared, steel, zeroed};
+pub use crate::random::Random;
+pub use crate::single::single_motion;
+pub use crate::theory::{self, MODELS, contact, creepage, options};
+pub use crate::toolchain::{cpp_compilers, output_of, root, run_cpp, run_source, say, scratch};
 pub use approx::assert_relative_eq;
 pub use kstrip::contact::creepage::{Creepage, Parameters};
 pub use kstrip::contact::hertz::{HertzContact, Radii, hertz};

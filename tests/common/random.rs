@@ -1,5 +1,4 @@
 //! A small reproducible generator for sampled tests (SplitMix64, Steele et al. 2014).
-#![allow(dead_code)]
 
 pub struct Random(u64);
 

@@ -1,7 +1,7 @@
 //! Cases computed with CONTACT, and how far a model is from them. Used by
 //! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
-#![allow(dead_code)]
 
+use crate::toolchain::root;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::contact::totals::StripCount;
@@ -11,7 +11,8 @@ use kstrip::number::Float;
 use kstrip::strip_1967::strip::State;
 use std::collections::HashSet;
 use std::f64::consts::PI;
-use std::path::{Path, PathBuf};
+use std::ops::Range;
+use std::path::PathBuf;
 
 /// A contact of which only the dimensionless numbers matter: `√(ab)` \[m\], `G` \[Pa\], `N` \[N\],
 /// `μ`.
@@ -23,10 +24,6 @@ pub const FRICTION: f64 = 0.3;
 pub const BOUND: f64 = FRICTION * NORMAL_FORCE;
 /// Creepage that makes `vx = 1`: `μ N/(G a b)`.
 pub const UNIT: f64 = BOUND / (SHEAR_MODULUS * SIZE * SIZE);
-
-pub fn project() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-}
 
 /// One case of the reference, dimensionless as in `tests/data/README.md`.
 #[derive(Clone, Debug)]
@@ -113,8 +110,8 @@ impl Table {
         Self { columns, rows }
     }
 
-    pub fn len(&self) -> usize {
-        self.rows.len()
+    pub fn rows(&self) -> Range<usize> {
+        0..self.rows.len()
     }
 
     pub fn text(&self, row: usize, column: &str) -> &str {
@@ -140,8 +137,8 @@ fn case(table: &Table, row: usize) -> Case {
 }
 
 fn cases(file: &str) -> Vec<Case> {
-    let table = Table::read(project().join("tests/data").join(file));
-    (0..table.len()).map(|row| case(&table, row)).collect()
+    let table = Table::read(root().join("tests/data").join(file));
+    table.rows().map(|row| case(&table, row)).collect()
 }
 
 /// The 854 cases of `tests/data/open.csv`.
@@ -163,16 +160,16 @@ pub fn turning() -> Vec<Case> {
 /// The rows of the training files on which no model was trained (`fit/validation_rows.py`), or the
 /// others.
 fn training_files(validation: bool) -> Vec<Case> {
-    let folder = project().join("fit/data");
+    let folder = root().join("fit/data");
     let kept = Table::read(folder.join("validation_rows.csv"));
-    let kept: HashSet<(&str, usize)> = (0..kept.len())
-        .map(|row| (kept.text(row, "file"), kept.number(row, "row") as usize))
-        .collect();
+    let kept: HashSet<(&str, usize)> =
+        kept.rows().map(|row| (kept.text(row, "file"), kept.number(row, "row") as usize)).collect();
     let mut cases = Vec::new();
     for name in ["train.csv", "train_fine.csv"] {
         let table = Table::read(folder.join(name));
         cases.extend(
-            (0..table.len())
+            table
+                .rows()
                 .filter(|row| kept.contains(&(name, *row)) == validation)
                 .map(|row| case(&table, row)),
         );
@@ -209,7 +206,7 @@ impl UnlikePair {
 
 /// `tests/data/kappa.csv`.
 pub fn unlike() -> Vec<UnlikePair> {
-    let table = Table::read(project().join("tests/data/kappa.csv"));
+    let table = Table::read(root().join("tests/data/kappa.csv"));
     let pair = |row| {
         let at = |column| table.number(row, column);
         let unit = at("mu") * NORMAL_FORCE / (SHEAR_MODULUS * SIZE * SIZE);
@@ -224,7 +221,7 @@ pub fn unlike() -> Vec<UnlikePair> {
             difference: [at("fx") - at("fx0"), at("fy") - at("fy0")],
         }
     };
-    (0..table.len()).map(pair).collect()
+    table.rows().map(pair).collect()
 }
 
 /// The 1784 cases kept for validation.
@@ -355,9 +352,10 @@ pub struct Cell {
 
 /// The 11 fields of `tests/data/fields`.
 pub fn fields() -> Vec<FieldCase> {
-    let folder = project().join("tests/data/fields");
+    let folder = root().join("tests/data/fields");
     let index = Table::read(folder.join("index.csv"));
-    (0..index.len())
+    index
+        .rows()
         .map(|case| {
             let file = index.text(case, "file");
             let table = Table::read(folder.join(file));
@@ -372,7 +370,7 @@ pub fn fields() -> Vec<FieldCase> {
                 axis_ratio: index.number(case, "a_over_b"),
                 poisson_ratio: index.number(case, "nu"),
                 parameters: ["xi", "eta", "psi"].map(|column| index.number(case, column)),
-                cells: (0..table.len()).map(cell).collect(),
+                cells: table.rows().map(cell).collect(),
             }
         })
         .collect()
@@ -446,8 +444,9 @@ pub struct CoefficientCase {
 }
 
 pub fn coefficient_cases() -> Vec<CoefficientCase> {
-    let table = Table::read(project().join("tests/data/kalker_coefficients.csv"));
-    (0..table.len())
+    let table = Table::read(root().join("tests/data/kalker_coefficients.csv"));
+    table
+        .rows()
         .map(|row| CoefficientCase {
             axis_ratio: table.number(row, "a_over_b"),
             poisson_ratio: table.number(row, "nu"),

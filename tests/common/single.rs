@@ -1,7 +1,5 @@
 //! The same contact and motion in another precision.
 
-#![allow(dead_code)]
-
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
 use kstrip::number::Float;

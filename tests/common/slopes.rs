@@ -1,10 +1,10 @@
 //! What a simulation feels of a model besides its values: slopes against CONTACT's own, ripple,
 //! limits, power. Each figure of any method that solves a [`Case`]. Used by
 //! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
-#![allow(dead_code)]
 
 use crate::random::Random;
-use crate::reference::{Answer, Case, Table, project};
+use crate::reference::{Answer, Case, Table};
+use crate::toolchain::root;
 use kstrip::linear::LinearCoefficients;
 use std::f64::consts::PI;
 
@@ -43,7 +43,7 @@ pub struct SlopeCase {
 
 /// The 70 states whose slopes CONTACT computed.
 pub fn slope_cases() -> Vec<SlopeCase> {
-    let table = Table::read(project().join("tests/data/jacobians.csv"));
+    let table = Table::read(root().join("tests/data/jacobians.csv"));
     let row = |row| {
         let at = |column: &str| table.number(row, column);
         let mut case = state(at("a_over_b"), at("nu"), ["vx", "vy", "phi"].map(at));
@@ -55,7 +55,7 @@ pub fn slope_cases() -> Vec<SlopeCase> {
         });
         SlopeCase { case, slopes }
     };
-    (0..table.len()).map(row).collect()
+    table.rows().map(row).collect()
 }
 
 /// The names of the entries whose errors [`SlopeCase::error`] returns.

@@ -1,5 +1,5 @@
 //! The structures of the C interface under their names in C, in each precision.
-#![allow(dead_code, non_camel_case_types, unused_macros)]
+#![allow(non_camel_case_types)]
 
 macro_rules! structures {
     ($float:ident) => {

@@ -2,7 +2,6 @@
 //!
 //! Nothing here calls the library except to build its inputs. Integrals over the strips are
 //! adaptive Gauss quadrature in the angle of `Y = sin θ`, cut where the law of the strips changes.
-#![allow(dead_code)]
 
 use crate::prelude::*;
 use kstrip::forces::FieldStrip;

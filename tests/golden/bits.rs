@@ -10,10 +10,10 @@
 //! `KSTRIP_WRITE_GOLDEN=1 cargo test --test golden` writes the hashes anew after a deliberate
 //! change. With `KSTRIP_GOLDEN_FEW` only the first thousand are computed, in this build alone.
 
-use crate::prelude::*;
-use crate::single;
-use crate::toolchain::{root, run_c_with};
 use kstrip::friction;
+use kstrip_testing::prelude::*;
+use kstrip_testing::single;
+use kstrip_testing::toolchain::run_c_with;
 
 const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;

@@ -3,12 +3,11 @@
 //! profiles that scatter or are scanned twice. All inputs are quotients of whole numbers drawn at
 //! random.
 
-use crate::bits::{draw, hash_indentation, inputs, law, part, pressed};
-use crate::prelude::*;
-use crate::random::Random;
-use crate::single::{converted, converted_motion};
+use crate::bits::{Bits, Hash, compare, draw, hash_indentation, inputs, law, part, pressed};
 use crate::wheel::{PAIRS, Stand, hash_surface};
 use kstrip::friction::solve_with_law;
+use kstrip_testing::prelude::*;
+use kstrip_testing::single::{converted, converted_motion};
 
 /// A number from -1 to 1 in thousandths.
 fn swing(i: u32, salt: u32) -> f64 {

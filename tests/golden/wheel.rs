@@ -1,10 +1,9 @@
 //! The same bits of prepared profiles, of wheels on rails, and of the patch of a profile between
 //! unlike materials, in both precisions: `tests/data/golden_wheel.txt`, written like the others.
 
-use crate::bits::{hash_indentation, law, pressed};
-use crate::manchester::points;
-use crate::prelude::*;
-use crate::single::converted;
+use crate::bits::{Bits, Hash, compare, hash_indentation, law, pressed};
+use kstrip_testing::prelude::*;
+use kstrip_testing::single::converted;
 
 /// Name; profiles of rail and wheel, and the length over which they are smoothed; lateral position,
 /// yaw and roll; load \[N\]; whether the wheel is the left one.

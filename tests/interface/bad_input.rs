@@ -4,9 +4,9 @@
 //! The C program that asks is written from the tables of that page and the declarations of the
 //! header.
 
-use crate::header::{Declared, Function, Structure, Variable};
-use crate::prelude::*;
-use crate::toolchain::{root, run_written, write_scratch};
+use kstrip_testing::header::{Declared, Function, Structure, Variable};
+use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::{run_written, write_scratch};
 
 /// A line of the second table.
 struct Rule {

@@ -4,8 +4,8 @@
 //! Only builds without debug assertions solve contacts side by side in wide registers:
 //! `cargo test --config tests/plain.toml --test interface batch`.
 
-use crate::names::*;
-use crate::prelude::*;
+use kstrip_testing::names::*;
+use kstrip_testing::prelude::*;
 
 const COUNT: usize = 203;
 

@@ -2,7 +2,7 @@
 //! binary interface is what the header says.
 
 use crate::groups;
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 /// What cbindgen writes: it reads the crate, and instead of the exported functions and the
 /// statuses, whose macros it does not expand, their declarations.

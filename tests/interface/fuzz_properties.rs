@@ -5,9 +5,9 @@
 //! release); `PROPTEST_RNG_SEED` draws others. `KSTRIP_FUZZ_REPLAY` names a file or folder of
 //! inputs to run instead, for example what libFuzzer left.
 
-use crate::entries;
-use crate::names::problem;
-use crate::prelude::*;
+use kstrip_testing::entries;
+use kstrip_testing::names::problem;
+use kstrip_testing::prelude::*;
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 

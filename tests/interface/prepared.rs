@@ -1,8 +1,8 @@
 //! A prepared contact gives the bits of `kstrip_solve`, and nothing that was not prepared is taken
 //! for one.
 
-use crate::names::*;
-use crate::prelude::*;
+use kstrip_testing::names::*;
+use kstrip_testing::prelude::*;
 
 macro_rules! same_bits {
     ($float:ident, $solve:ident, $prepare:ident, $prepared:ident) => {

@@ -1,6 +1,6 @@
 //! The Python binding: its own tests, with the shared library that `make` builds.
 
-use crate::toolchain;
+use kstrip_testing::toolchain;
 
 use toolchain::{python, say};
 

@@ -1,7 +1,7 @@
 //! Patches whose strips have creepages of their own: `kstrip_patch_evaluate_strips`.
 
-use crate::names::*;
-use crate::prelude::*;
+use kstrip_testing::names::*;
+use kstrip_testing::prelude::*;
 use std::slice::from_raw_parts;
 
 const MOTION: kstrip_creepage = creepage([8e-4, -6e-4, 0.1]);
@@ -12,7 +12,7 @@ const fn creepage([longitudinal, lateral, spin]: [f64; 3]) -> kstrip_creepage {
 }
 
 fn patch() -> kstrip_patch {
-    let contact = kstrip_contact { b: 4e-3, ..crate::prelude::C0 };
+    let contact = kstrip_contact { b: 4e-3, ..kstrip_testing::prelude::C0 };
     let mut patch = MaybeUninit::uninit();
     assert_eq!(kstrip_patch_from_contact(Some(&contact), Some(&STRIP), Some(&mut patch)), 0);
     // SAFETY: status 0.
@@ -79,7 +79,7 @@ fn numbers((result, by): &Answer) -> Vec<f64> {
 }
 
 fn falling() -> kstrip_friction {
-    crate::prelude::falling(0.3, 0.4, 0.6, 20.0, 0.8)
+    kstrip_testing::prelude::falling(0.3, 0.4, 0.6, 20.0, 0.8)
 }
 
 /// What each strip sees of a rigid motion, as its own.

@@ -1,6 +1,6 @@
 //! The library on simulated microcontrollers.
 
-use crate::toolchain::{say, scratch};
+use kstrip_testing::toolchain::{say, scratch};
 use std::process::Command;
 
 /// Cross-compiles the firmware of `c_examples/firmware`, runs self-test and twin disc on QEMU's

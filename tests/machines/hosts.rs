@@ -1,7 +1,7 @@
 //! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each
 //! checks its own figures, and those that docs/hosts.md prints are compared with the page.
 
-use crate::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
+use kstrip_testing::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
 use std::path::PathBuf;
 use std::process::Command;
 

@@ -1,7 +1,7 @@
 //! The library as others get it: installed, by pkg-config, by CMake, for Windows, as a Python
 //! wheel.
 
-use crate::toolchain::{root, say, scratch};
+use kstrip_testing::toolchain::{root, say, scratch};
 use std::process::Command;
 
 /// Runs a script of the repository, says what it skipped, and returns what it printed.

@@ -2,9 +2,6 @@
 //! clients, a Python wheel, Windows, simulated boards, simulators, this very processor.
 //! `cargo test` leaves it out, `.ci/run` calls `cargo test --test machines`.
 
-#[path = "../c/toolchain.rs"]
-mod toolchain;
-
 mod firmware;
 mod hosts;
 mod install;

@@ -1,6 +1,6 @@
 //! The same bits on another processor of the family.
 
-use crate::toolchain::{root, say};
+use kstrip_testing::toolchain::{root, say};
 use std::process::Command;
 
 /// A library for this very processor, with all of its instructions, rounds the same. (Without the

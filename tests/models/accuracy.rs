@@ -2,9 +2,9 @@
 //! enough that an improvement must tighten it, and the limits that were required.
 
 use crate::prelude::*;
-use crate::reference::options;
-use crate::reference::*;
-use crate::slopes;
+use kstrip_testing::reference::options;
+use kstrip_testing::reference::*;
+use kstrip_testing::slopes;
 use std::collections::HashSet;
 use std::fmt::Write;
 
@@ -117,7 +117,7 @@ fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
     assert!(cases.len() > 100, "{}", cases.len());
     let errors = Errors::of_model::<f64>(&cases, &sixteen(Model::Strip1967));
     let mean = figures(&errors.force).mean;
-    let header = std::fs::read_to_string(project().join("include/kstrip.h")).expect("the header");
+    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
     let text = format!("mean error against CONTACT is {:.0} % of mu N there", 100.0 * mean);
     assert!(header.replace("\n * ", " ").contains(&text), "include/kstrip.h: {text} ({mean})");
 }
@@ -272,7 +272,7 @@ fn the_reference_is_complete() {
     assert_eq!((open().len(), validation().len(), training().len()), (854, 1784, 16_047));
     assert_eq!((fields().len(), coefficient_cases().len()), (11, 44));
     // the strip parameters of the file are those of the creepages
-    let table = Table::read(project().join("tests/data/open.csv"));
+    let table = Table::read(root().join("tests/data/open.csv"));
     for (row, case) in open().iter().enumerate() {
         assert!((table.number(row, "psi") - case.psi()).abs() <= 1e-6 * (1.0 + case.psi().abs()));
     }

@@ -1,8 +1,8 @@
 //! The derivatives of `solve_jacobian` against differences of `solve`.
 
 use crate::prelude::*;
-use crate::single;
 use kstrip::forces::derivatives;
+use kstrip_testing::single;
 
 /// Forces over μN and moment over μN√(ab) of a contact.
 fn over(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 3] {

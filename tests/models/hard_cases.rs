@@ -1,13 +1,13 @@
 //! The hard cases by name, of every model in both precisions, in Rust and through the C functions:
 //! each gives a right answer or a named status, and an error leaves the outputs as they were.
 
-use crate::names::*;
-use crate::poison::{poisoned, untouched};
 use crate::prelude::*;
-use crate::single::{converted, converted_motion};
-use crate::theory::{BASE, Law};
 use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
 use kstrip::friction::derivatives::LawDerivatives;
+use kstrip_testing::names::*;
+use kstrip_testing::poison::{poisoned, untouched};
+use kstrip_testing::single::{converted, converted_motion};
+use kstrip_testing::theory::{BASE, Law};
 
 const WHEEL: Contact<f64> = Contact { b: 4e-3, ..C0 };
 const MOTION: Creepage<f64> = creep(1e-3, -5e-4, 0.2);

@@ -626,7 +626,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
 /// Slip whose square does not fit the floating-point type does.
 #[test]
 fn fields_behind_a_layer_are_finite_for_any_slip() {
-    let c = crate::single::single(&Contact { b: 4e-3, ..C0 });
+    let c = kstrip_testing::single::single(&Contact { b: 4e-3, ..C0 });
     let patch = Patch::<f32, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let view = patch.view().unwrap();
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {

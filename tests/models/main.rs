@@ -1,24 +1,5 @@
 //! The models against CONTACT, their slopes, patches, friction and the inverse.
 
-#[path = "../common/manchester.rs"]
-mod manchester;
-#[path = "../common/names.rs"]
-mod names;
-#[path = "../common/patch_reference.rs"]
-mod patch_reference;
-#[path = "../common/poison.rs"]
-mod poison;
-#[path = "../common/random.rs"]
-mod random;
-#[path = "../common/reference.rs"]
-mod reference;
-#[path = "../common/single.rs"]
-mod single;
-#[path = "../common/slopes.rs"]
-mod slopes;
-#[path = "../common/theory.rs"]
-mod theory;
-
 mod accuracy;
 mod damping;
 mod derivatives;

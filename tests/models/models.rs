@@ -2,7 +2,7 @@
 //! smoothness, and that strips and fields belong to the totals.
 
 use crate::prelude::*;
-use crate::reference::{BOUND, FRICTION, SIZE, UNIT, contact, options};
+use kstrip_testing::reference::{BOUND, FRICTION, SIZE, UNIT, contact, options};
 use proptest::prelude::*;
 use rstest::rstest;
 

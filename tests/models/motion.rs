@@ -1,10 +1,10 @@
 //! Rolling forward, backward, and standstill between them.
 
 use crate::prelude::*;
-use crate::single::single;
 use kstrip::forces::derivatives;
 use kstrip::friction;
 use kstrip::motion::{MotionDerivatives, differentiate_motion, solve_motion};
+use kstrip_testing::single::single;
 
 const FLOOR: f64 = 0.02;
 const WET: SlipFriction<f64> = falling(0.3, 0.4, 0.6, 0.0, 0.5);

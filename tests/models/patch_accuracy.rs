@@ -1,8 +1,8 @@
 //! Patches against CONTACT: outlines, pressures, forces; friction in bands.
 
-use crate::patch_reference::{Case, Errors, Full, Motion, banded, given};
 use crate::prelude::*;
 use kstrip::patch::solver::solve_patch;
+use kstrip_testing::patch_reference::{Case, Errors, Full, Motion, banded, given};
 
 /// Mean, 95th percentile and maximum allowed.
 fn assert_below(what: &str, errors: &[f64], allowed: [f64; 3]) {

@@ -1,6 +1,5 @@
 //! Patches of no particular shape.
 
-use super::random::Random;
 use crate::prelude::*;
 
 pub type Full = Patch<f64, 64>;

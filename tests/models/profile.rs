@@ -1,8 +1,8 @@
 //! Patches from profiles: Hertz's own, load and approach, zones, shapes that do not matter, noise,
 //! bad input.
 
-use crate::patch_reference::{Full, real};
 use crate::prelude::*;
+use kstrip_testing::patch_reference::{Full, real};
 use std::f64::consts::TAU;
 
 const SIXTEEN: StripCount = StripCount::Sixteen;

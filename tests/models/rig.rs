@@ -1,7 +1,7 @@
 //! The inverse for test rigs: friction from a measured force, creepage from a wanted one.
 
 use crate::prelude::*;
-use crate::single;
+use kstrip_testing::single;
 use single::{single, single_motion};
 
 const SATURATING: [Model; 4] =

@@ -3,7 +3,7 @@
 //! elements: `tests/data/boundary_elements.csv`. Nothing is fitted on them.
 
 use crate::prelude::*;
-use crate::reference::*;
+use kstrip_testing::reference::*;
 
 /// Axis ratios from and to; allowed of TOTAL and of STRIP: mean and 95th percentile of the force,
 /// mean of the moment.

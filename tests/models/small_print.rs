@@ -1,8 +1,8 @@
 //! What a wrong sign or one per cent of a constant would leave unnoticed elsewhere.
 
-use crate::names::*;
 use crate::prelude::*;
-use crate::single::single;
+use kstrip_testing::names::*;
+use kstrip_testing::single::single;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 

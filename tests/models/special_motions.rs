@@ -1,7 +1,7 @@
 //! Motions without one of their parts: the same answers as beside them, without a jump.
 
 use crate::prelude::*;
-use crate::single::single;
+use kstrip_testing::single::single;
 
 /// In units of `μ N`, `μ N √(ab)`, and the patch.
 fn numbers(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 4] {

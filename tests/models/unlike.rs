@@ -1,11 +1,11 @@
 //! Unlike materials: what pressure adds to the creepage, in every model but those of 1967.
 
 use crate::prelude::*;
-use crate::reference::contact;
-use crate::reference::*;
 use kstrip::contact::hertz::from_hertz;
 use kstrip::friction::derivatives;
 use kstrip::motion;
+use kstrip_testing::reference::contact;
+use kstrip_testing::reference::*;
 
 const MODELS: [Model; 3] = [Model::Strip, Model::Total, Model::Linear];
 

@@ -1,10 +1,10 @@
 //! Contacts whose normal turns: each strip has its own slip. Derivatives, symmetry, power, and what
 //! becomes of a contact that is nearly flat.
 
-use crate::manchester::profile;
 use crate::prelude::*;
 use crate::wheel_rail::{assert_derivatives, moved};
 use kstrip::patch::friction;
+use kstrip_testing::manchester::profile;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
 fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {
@@ -211,7 +211,7 @@ fn own_creepages_of_a_rigid_motion_are_that_motion() {
 /// wrench from their forces.
 #[test]
 fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
-    use crate::names::*;
+    use kstrip_testing::names::*;
     let contacts = contacts(0.0, false);
     let velocity = rolling(20.0);
     let velocities = rates(&velocity);

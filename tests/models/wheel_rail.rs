@@ -1,10 +1,10 @@
 //! Wheel on rail: against CONTACT on real profiles, exact cases, symmetry, power, slopes,
 //! continuity, friction by place, bad input.
 
-use crate::manchester::Wheelset;
 use crate::prelude::*;
 use kstrip::wheel_rail::contacts::from_gap;
 use kstrip::wheel_rail::touch::{Gap, GapSearch};
+use kstrip_testing::manchester::Wheelset;
 
 type Members = [f64; 6];
 
@@ -686,7 +686,7 @@ fn friction_varies_along_the_rail() {
 /// pressure and creep forces beside CONTACT's, but where the flange begins to climb.
 #[test]
 fn manchester_benchmark_is_that_of_contact() {
-    let mut wheelset = Wheelset::new();
+    let mut wheelset = Wheelset::default();
     let mut errors: [Vec<f64>; 6] = Default::default();
     for (left, shift, theirs) in manchester::contact() {
         if !left && (6.4..7.6).contains(&shift) {
@@ -802,7 +802,7 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
     let position = stand.at(0.0, 80e3);
     stand.solve(&position, &ROLLING);
     let mut contacts = stand.memory.contacts[..stand.memory.count as usize].to_vec();
-    let mut random = crate::random::Random::new(3);
+    let mut random = kstrip_testing::random::Random::new(3);
     for _ in 0..300 {
         contacts
             .iter_mut()

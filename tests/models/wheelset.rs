@@ -1,12 +1,12 @@
 //! The wheelset: balance, derivatives, power, Klingel's wave, EN 15302, Nadal, the Manchester
 //! benchmark, and the curve.
 
-use crate::manchester::profile;
 use crate::prelude::*;
 use kstrip::wheelset::conicity::RadiusDifference;
 use kstrip::wheelset::forces::{WheelsetByPosition, WheelsetDerivatives, WheelsetForces};
 use kstrip::wheelset::settle::Settled;
 use kstrip::wheelset::track::{Curve, gauge_face};
+use kstrip_testing::manchester::profile;
 use nalgebra::{SMatrix, SVector};
 
 type Ten = [f64; 10];
@@ -532,7 +532,7 @@ fn lateral_forces_balance_a_curve() {
 /// where the flange begins to climb.
 #[test]
 fn both_sides_are_those_of_the_manchester_benchmark() {
-    let mut single = manchester::Wheelset::new();
+    let mut single = manchester::Wheelset::default();
     let mut stand = Stand::new_profiles();
     stand.origins = [0.760_532_5; 2];
     let (mut errors, mut loads) = (vec![], vec![]);

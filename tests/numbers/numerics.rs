@@ -5,9 +5,9 @@
 //! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table
 //! of that page.
 
-use crate::prelude::*;
 use kstrip::strip_1967;
 use kstrip::strip_1967::strip::adhesion_length;
+use kstrip_testing::prelude::*;
 
 struct Row {
     what: String,

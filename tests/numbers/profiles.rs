@@ -5,8 +5,8 @@
 //! of that page.
 
 use crate::precise::Precise;
-use crate::prelude::*;
 use crate::two_hundred_bits::{is_known, stated};
+use kstrip_testing::prelude::*;
 
 /// Distance \[m\] over `y` \[m\].
 type Shape = fn(f64) -> f64;

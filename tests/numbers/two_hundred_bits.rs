@@ -8,11 +8,10 @@
 //! inputs to `tests/data/precise.csv`. Without it those are computed again, and a few new ones.
 
 use crate::precise::Precise;
-use crate::prelude::*;
-use crate::random::Random;
 use kstrip::forces::derivatives::solve_jacobian;
 use kstrip::patch::friction;
 use kstrip::strip_1967::strip::adhesion_length;
+use kstrip_testing::prelude::*;
 
 /// `a, b, N, G, ν, μ, υx, υy, φ, V`: numbers of single precision, so that one reference serves both
 /// precisions.

@@ -1,8 +1,8 @@
 //! Totals against a second implementation of the theory that shares no code with the library.
 
-use crate::prelude::*;
-use crate::theory::Law;
 use kstrip::strip_1967;
+use kstrip_testing::prelude::*;
+use kstrip_testing::theory::Law;
 
 fn sample(random: &mut Random, psi: f64) -> Law {
     let parameter = |random: &mut Random| match random.bits() % 10 {

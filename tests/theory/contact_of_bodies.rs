@@ -1,6 +1,6 @@
 //! Contacts from two bodies: from the load, from the approach, and lost ones.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 const FLAT: f64 = f64::INFINITY;
 const STEEL: CombinedMaterial<f64> =

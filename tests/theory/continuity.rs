@@ -5,8 +5,8 @@
 //! times, always into the half that changes more. Of a square root a thousandth is left, of a jump
 //! all.
 
-use crate::prelude::*;
-use crate::theory::{BASE, Law, solve};
+use kstrip_testing::prelude::*;
+use kstrip_testing::theory::{BASE, Law, solve};
 
 const STEP: f64 = 1e-6;
 

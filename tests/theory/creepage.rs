@@ -1,8 +1,8 @@
 //! Creepages from velocities (3.3), parameters (5.13) and their inverse.
 
-use crate::prelude::*;
-use crate::single::single;
 use kstrip::contact::creepage::SurfaceVelocity;
+use kstrip_testing::prelude::*;
+use kstrip_testing::single::single;
 
 fn at(x: f64, y: f64, angular_z: f64) -> SurfaceVelocity<f64> {
     SurfaceVelocity { x, y, angular_z }

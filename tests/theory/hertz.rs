@@ -1,6 +1,6 @@
 //! The contact ellipse against numbers computed outside with 60 digits, and published tables.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 const FLAT: f64 = f64::INFINITY;
 

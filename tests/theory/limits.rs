@@ -1,6 +1,6 @@
 //! What must come out exactly: linear derivatives, saturation, pure creepage.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 fn bound(contact: &Contact<f64>) -> f64 {
     contact.friction * contact.normal_force

@@ -1,6 +1,6 @@
 //! Combined elastic constants (2.6), (4.3).
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 use proptest::prelude::*;
 
 fn material(shear_modulus: f64, poisson_ratio: f64) -> Material<f64> {

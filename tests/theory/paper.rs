@@ -1,6 +1,6 @@
 //! Every number that the surviving pages of the paper show (theory page, Section 6).
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 fn field(c: &Contact<f64>, xi: f64, eta: f64, psi: f64, kind: Model) -> Field<f64> {
     Field::new(c, &creepage(c, xi, eta, psi), &sixteen(kind)).unwrap()

@@ -1,8 +1,8 @@
 //! Wrong units are named, ordinary contacts are not.
 
-use crate::prelude::*;
 use kstrip::contact::implausibility;
 use kstrip::status::advice;
+use kstrip_testing::prelude::*;
 
 const FLAT: f64 = f64::INFINITY;
 const DEGREES: f64 = 180.0 / std::f64::consts::PI;

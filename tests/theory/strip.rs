@@ -1,7 +1,7 @@
 //! One strip of the theory (Sections 4 to 6).
 
-use crate::prelude::*;
 use kstrip::strip_1967::strip::adhesion_length;
+use kstrip_testing::prelude::*;
 
 const RULES: [SlidingRule; 2] = [SlidingRule::RigidSlip, SlidingRule::Continuous];
 

@@ -1,6 +1,6 @@
 //! The cube root in single precision against libm's in double.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 #[test]
 fn agrees_with_double_precision() {

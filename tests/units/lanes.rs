@@ -1,9 +1,9 @@
 //! Registers against plain numbers, bit by bit.
 
-use crate::prelude::*;
 use kstrip::internals::{has_avx, has_avx512};
 use kstrip::number::lanes::Lanes;
 use kstrip::number::{Arithmetic, Number, Real, Strips};
+use kstrip_testing::prelude::*;
 
 /// Every operation of `N` numbers side by side has the bits of plain numbers, signs of zeros
 /// included.

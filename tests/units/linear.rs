@@ -1,7 +1,7 @@
 //! Kalker's coefficients: asymptotes, table, both precisions.
 
-use crate::prelude::*;
 use core::f64::consts::LN_2;
+use kstrip_testing::prelude::*;
 
 /// `3 − 2 ln 2` of Kalker's slender contacts.
 const K: f64 = 3.0 - 2.0 * LN_2;

@@ -5,9 +5,6 @@ mod check;
 mod cube_root;
 mod lanes;
 mod linear;
-mod prelude;
-#[path = "../common/random.rs"]
-mod random;
 mod rig;
 mod strip;
 mod total;

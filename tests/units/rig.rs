@@ -1,7 +1,7 @@
 //! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release
 //! --test units rig:: -- --nocapture` prints the figures of docs/reliability.md.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 const SATURATING: [Model; 4] =
     [Model::Total, Model::Strip, Model::Strip1967Continuous, Model::Strip1967];

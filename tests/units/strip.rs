@@ -1,6 +1,5 @@
 //! Strips that follow the slip: bounds, limits, slopes, and the same bits in any registers.
 
-use crate::prelude::*;
 use approx::assert_abs_diff_eq;
 use core::fmt::Debug;
 use kstrip::internals;
@@ -8,6 +7,7 @@ use kstrip::number::Number;
 use kstrip::strip::{
     Distribution, EllipseStrips, Flexibilities, Rule, StripCreepage, StripGeometry,
 };
+use kstrip_testing::prelude::*;
 
 fn prepared(g: f64, nu: f64) -> EllipseStrips<f64> {
     EllipseStrips::new(g, nu, &LinearCoefficients::at(g, nu), StripCount::Sixteen)

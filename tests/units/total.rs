@@ -1,6 +1,6 @@
 //! What must hold whatever the constants are, and that the fit has the same formulas.
 
-use crate::prelude::*;
+use kstrip_testing::prelude::*;
 
 fn at(g: f64, nu: f64, v: [f64; 3]) -> [f64; 3] {
     let Totals { fx, fy, mz, .. } =

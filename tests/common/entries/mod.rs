@@ -12,28 +12,20 @@
 //! * TOTAL never gains energy.
 //! * Reversed creepages give reversed forces, to the bit.
 //! * Functions that share an answer give the same bits.
-#![allow(dead_code)]
 // The lists of checks are compiled once for each precision, and one of them has nothing to convert.
 #![allow(clippy::duplicate_mod, clippy::useless_conversion, clippy::unnecessary_cast)]
 
+use crate::places::{batch_from, no_batch, nowhere};
+pub use crate::poison::poisoned;
+use crate::poison::untouched as all_untouched;
+use crate::structures;
 use kstrip::ffi::types::kstrip_options;
 use kstrip::ffi::*;
 use kstrip::status::Warning;
 use std::mem::MaybeUninit;
 
-#[path = "../places.rs"]
-mod places;
-#[path = "../poison.rs"]
-mod poison;
-#[path = "../structures.rs"]
-mod structures;
-
 pub mod double;
 pub mod single;
-
-use places::{batch_from, no_batch, nowhere};
-pub use poison::poisoned;
-use poison::untouched as all_untouched;
 
 /// Arbitrary bytes as arguments. Past their end everything is zero.
 pub struct Bytes<'a>(&'a [u8]);

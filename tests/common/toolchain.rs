@@ -2,7 +2,6 @@
 //! (`tests/c/library.rs`), or against the library that users link, which `scripts/library.sh`
 //! builds, with `KSTRIP_RELEASE_LIBRARY` set or where the other is not up to date, as in
 //! `cargo test --test golden` after a change.
-#![allow(dead_code)]
 
 use std::ffi::OsStr;
 use std::io::Write;
@@ -14,7 +13,7 @@ use std::sync::OnceLock;
 pub const STRICT: [&str; 4] = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"];
 
 pub fn root() -> &'static Path {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders above this one")
 }
 
 /// A line on standard error, also from a test that passes.
@@ -101,9 +100,14 @@ pub fn python() -> Result<Command, String> {
     Ok(command)
 }
 
-/// Where tests write.
+/// Where tests write: cargo's folder `tmp` of the target directory, whose `debug/deps` has this
+/// program.
 pub fn scratch() -> &'static Path {
-    Path::new(env!("CARGO_TARGET_TMPDIR"))
+    static FOLDER: OnceLock<PathBuf> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let program = std::env::current_exe().expect("this program has a path");
+        program.ancestors().nth(3).expect("a target directory").join("tmp")
+    })
 }
 
 /// The system's C (or C++) compiler, as the crate `cc` finds it: `CC`/`CXX`, else `cc`/`c++`.

@@ -1,5 +1,4 @@
 //! What the text of `include/kstrip.h` declares: structures, functions, constants.
-#![allow(dead_code)]
 
 use std::collections::BTreeMap;
 

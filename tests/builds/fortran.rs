@@ -1,6 +1,6 @@
 //! `bindings/fortran/kstrip.f90` from the text of `include/kstrip.h`.
 
-use crate::header::{Function, Structure, Variable, declared};
+use kstrip_testing::header::{Function, Structure, Variable, declared};
 
 /// What is one object for all elements of a function that has an array of statuses.
 const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];

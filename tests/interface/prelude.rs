@@ -1,8 +1,0 @@
-//! What most files of this program use.
-
-#[path = "../common/prelude.rs"]
-mod shared;
-
-pub(crate) use crate::header;
-pub(crate) use crate::random::Random;
-pub(crate) use shared::*;
