@@ -294,6 +294,41 @@ proptest! {
     }
 }
 
+/// Strips also add up to the totals where power is corrected, in long contacts with spin: each strip
+/// has its share of what the correction adds to the moment.
+#[test]
+fn strips_add_up_where_power_is_corrected() {
+    let options = options(Model::Strip, StripCount::Eight);
+    for (g, nu, v) in [
+        (8.65, 0.40, [-0.0020, -0.0048, 0.064]),
+        (18.4, 0.26, [0.0051, -0.0049, 0.026]),
+        (24.3, 0.49, [0.0032, 0.0007, 0.0147]),
+    ] {
+        let (contact, motion) = (contact::<f64>(g, nu), creepage(v));
+        let whole = normalised(&solved(&contact, &motion, &options));
+        // the correction keeps a fifth of the power of linear theory, divided by √(1 + n²)
+        let LinearCoefficients { c11, c22, c23, c33 } = LinearCoefficients::at(g, nu);
+        let linear = [c11 * v[0], c22 * v[1], c33 * v[2]];
+        let square = linear.iter().map(|k| k * k).sum::<f64>() + (c23 * v[2]).powi(2);
+        let power = |forces: [f64; 3]| forces.iter().zip(v).map(|(f, v)| f * v).sum::<f64>();
+        assert_relative_eq!(
+            power(whole) * (1.0 + square).sqrt(),
+            0.2 * power(linear),
+            max_relative = 1e-12
+        );
+        let mut sum = [0.0; 3];
+        forces::strips(&contact, &motion, &options, &mut |strip| {
+            let StripResult { fx, fy, mz, .. } = strip;
+            sum = std::array::from_fn(|i| sum[i] + [fx, fy, mz][i]);
+        })
+        .unwrap();
+        let sum = [sum[0] / BOUND, sum[1] / BOUND, sum[2] / (BOUND * SIZE)];
+        for (sum, whole) in sum.iter().zip(whole) {
+            assert!((sum - whole).abs() < 1e-13, "{g}: {sum} {whole}");
+        }
+    }
+}
+
 /// Where bodies adhere the traction vanishes at the leading edge, however near the point is.
 #[test]
 fn traction_vanishes_at_the_leading_edge() {

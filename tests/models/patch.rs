@@ -230,6 +230,43 @@ fn lobes_do_not_know_of_each_other() {
     }
 }
 
+/// A very narrow strip at the rim hardly changes the forces, also where most strips are a twentieth
+/// narrower than the widest. (These strips do not count as a rule of Gauss, whose neighbours are of
+/// two kinds, which an additional strip would swap.)
+#[test]
+fn a_narrow_strip_at_the_rim_changes_nothing() {
+    let mut random = Random::new(409);
+    for i in 0..30 {
+        let (width, count) = (0.5e-3, 12);
+        let mut y = 0.0;
+        let mut strips: Vec<_> = (0..count)
+            .map(|k| {
+                let place = (f64::from(k) + 0.5) / f64::from(count) * 2.0 - 1.0;
+                let round = (1.0 - place * place).sqrt();
+                let width = width * if k == 3 { 1.0 } else { 0.95 };
+                y += width;
+                PatchStrip {
+                    y: y - width / 2.0,
+                    width,
+                    half_length: 5e-3 * round,
+                    centre_x: 0.0,
+                    peak_pressure: 1e9 * round,
+                    friction: 0.3,
+                }
+            })
+            .collect();
+        let motion = motion(&mut random);
+        let alone = Full::from_strips(&strips, 82e9, 0.28).unwrap();
+        let first = strips[0];
+        strips.insert(0, PatchStrip { y: -5e-10, width: 1e-9, half_length: 1e-4, ..first });
+        let other = Full::from_strips(&strips, 82e9, 0.28).unwrap();
+        let [found, other] = [&alone, &other].map(|patch| solve(patch, &motion, Model::Strip));
+        let unit = alone.view().unwrap().friction_bound();
+        let off = (found.fx - other.fx).hypot(found.fy - other.fy) / unit;
+        assert!(off < 1e-8, "{i}: {off:e}");
+    }
+}
+
 /// Every rule of an ellipse is one lobe, however its strips are spaced.
 #[test]
 fn an_ellipse_is_one_lobe() {
