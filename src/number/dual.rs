@@ -35,7 +35,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
     #[inline(always)]
     fn chain(self, value: P, slope: P) -> Self {
-        Self { value, gradient: self.gradient.map(|d| d * slope) }
+        Self { value, gradient: P::each(&self.gradient, |d| *d * slope) }
     }
 
     #[inline(always)]
@@ -104,7 +104,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
-        Self { value: -self.value, gradient: self.gradient.map(|d| -d) }
+        Self { value: -self.value, gradient: P::each(&self.gradient, |d| -*d) }
     }
 }
 
@@ -133,7 +133,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
         let Some((slope, input)) = terms.next() else {
             return Self { value, gradient: [P::zero(); M] };
         };
-        let mut gradient = input.gradient.map(|d| d * slope);
+        let mut gradient = P::each(&input.gradient, |d| *d * slope);
         for (slope, input) in terms {
             for (own, d) in gradient.iter_mut().zip(input.gradient) {
                 *own += d * slope;
@@ -199,15 +199,17 @@ impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
     #[inline(always)]
     fn parts(self) -> (Dual<F, M>, Dual<F, M>) {
         let (first, second) = self.value.parts();
-        let slopes = self.gradient.map(F::Pair::parts);
         (
-            Dual { value: first, gradient: slopes.map(|slope| slope.0) },
-            Dual { value: second, gradient: slopes.map(|slope| slope.1) },
+            Dual { value: first, gradient: F::each(&self.gradient, |slope| slope.parts().0) },
+            Dual { value: second, gradient: F::each(&self.gradient, |slope| slope.parts().1) },
         )
     }
     #[inline(always)]
     fn both(x: Dual<F, M>) -> Self {
-        Self { value: F::Pair::both(x.value), gradient: x.gradient.map(F::Pair::both) }
+        Self {
+            value: F::Pair::both(x.value),
+            gradient: F::Pair::each(&x.gradient, |d| F::Pair::both(*d)),
+        }
     }
 }
 

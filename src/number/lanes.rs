@@ -225,6 +225,18 @@ impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, 
         }
         Self(numbers, [])
     }
+    #[inline(always)]
+    fn of_list(list: &[F::Stored]) -> Self {
+        let mut numbers = [F::zero(); N];
+        for (place, x) in numbers.iter_mut().zip(list) {
+            *place = F::stored(*x);
+        }
+        Self(numbers, [])
+    }
+    #[inline(always)]
+    fn all(x: F) -> Self {
+        Self([x; N], [])
+    }
     #[inline]
     fn lane(&self, i: usize) -> F {
         self.0.get(i).copied().unwrap_or(F::zero())
@@ -251,6 +263,15 @@ macro_rules! twice {
             #[inline(always)]
             fn gather(of: impl Fn(usize) -> F) -> Self {
                 Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))], [])
+            }
+            #[inline(always)]
+            fn of_list(list: &[F::Stored]) -> Self {
+                let (first, second) = list.split_at($count.min(list.len()));
+                Self([Strips::of_list(first), Strips::of_list(second)], [])
+            }
+            #[inline(always)]
+            fn all(x: F) -> Self {
+                Self([Strips::all(x); 2], [])
             }
             #[inline]
             fn lane(&self, i: usize) -> F {

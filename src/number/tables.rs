@@ -139,7 +139,7 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
-    if F::HAS_ROWS {
+    if const { F::HAS_ROWS } {
         let mut each = [F::zero(); R];
         for (place, x) in each.iter_mut().zip(inputs) {
             *place = x;
@@ -147,13 +147,13 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
         return F::rows_at_once(start, &each, rows);
     }
     let mut sums = *start;
-    if F::LANES > 1 || P::COUNT == 1 {
+    if const { F::LANES > 1 || P::COUNT == 1 } {
         add_in_blocks(&mut sums, inputs, rows);
         return sums;
     }
     const { assert!(P::COUNT == 1 || C <= BLOCK * P::COUNT) };
     let next = add_columns::<F, P, C>(&mut sums, inputs.clone(), rows, 0);
-    if P::COUNT > 4 {
+    if const { P::COUNT > 4 } {
         add_columns::<F, F::WideFour, C>(&mut sums, inputs, rows, next);
     }
     sums
@@ -181,33 +181,35 @@ fn add_columns<F: Real, P: Strips<F>, const C: usize>(
     rows: &[[F::Stored; C]],
     first: usize,
 ) -> usize {
-    let groups = (C - first) / P::COUNT;
-    let next = first + groups * P::COUNT;
-    let left = if P::COUNT == 4 { C - next } else { 0 };
-    let sum = |sums: &[F; C], i: usize| sums.get(i).copied().unwrap_or(F::zero());
-    let weight = |row: &[F::Stored; C], i: usize| row.get(i).map_or(F::zero(), |x| F::stored(*x));
+    let columns = sums.get_mut(first..).unwrap_or_default();
+    let next = first + columns.len() / P::COUNT * P::COUNT;
     let (mut found, mut rest) = ([P::zero(); BLOCK], [F::zero(); 3]);
-    for (k, found) in found.iter_mut().enumerate().take(groups) {
-        *found = P::gather(|i| sum(sums, first + k * P::COUNT + i));
+    for (found, columns) in found.iter_mut().zip(columns.chunks_exact(P::COUNT)) {
+        *found = P::gather(|i| columns.get(i).copied().unwrap_or(F::zero()));
     }
-    for (i, rest) in rest.iter_mut().enumerate().take(left) {
-        *rest = sum(sums, next + i);
+    let (in_groups, others) = columns.split_at_mut(next - first);
+    let others = if P::COUNT == 4 { others } else { &mut [] };
+    for (rest, sum) in rest.iter_mut().zip(&mut *others) {
+        *rest = *sum;
     }
     for (x, row) in inputs.zip(rows) {
         let all = P::all(x);
-        for (k, found) in found.iter_mut().enumerate().take(groups) {
-            *found += all * P::gather(|i| weight(row, first + k * P::COUNT + i));
+        let mut weights = row.get(first..).unwrap_or_default().chunks_exact(P::COUNT);
+        for (found, weights) in found.iter_mut().zip(&mut weights) {
+            *found += all * P::of_list(weights);
         }
-        for (i, rest) in rest.iter_mut().enumerate().take(left) {
-            *rest += x * weight(row, next + i);
+        if P::COUNT == 4 {
+            for (rest, weight) in rest.iter_mut().zip(weights.remainder()) {
+                *rest += x * F::stored(*weight);
+            }
         }
     }
-    for (i, sum) in sums.iter_mut().enumerate().skip(first).take(groups * P::COUNT) {
-        *sum = found
-            .get((i - first) / P::COUNT)
-            .map_or(F::zero(), |of| of.lane((i - first) % P::COUNT));
+    for (columns, found) in in_groups.chunks_exact_mut(P::COUNT).zip(found) {
+        for (i, sum) in columns.iter_mut().enumerate() {
+            *sum = found.lane(i);
+        }
     }
-    for (sum, rest) in sums.iter_mut().skip(next).take(left).zip(rest) {
+    for (sum, rest) in others.iter_mut().zip(rest) {
         *sum = rest;
     }
     next

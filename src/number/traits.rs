@@ -331,21 +331,17 @@ pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {
 }
 
 /// Strips side by side.
-pub trait Strips<F>: InRegisters {
+pub trait Strips<F: Real>: InRegisters {
     /// How many.
     const COUNT: usize;
     /// The number of each.
     fn gather(of: impl Fn(usize) -> F) -> Self;
+    /// The numbers of a list in their order, zeros after its end.
+    fn of_list(list: &[F::Stored]) -> Self;
     /// The number of one.
     fn lane(&self, i: usize) -> F;
     /// The same number for all.
-    #[inline]
-    fn all(x: F) -> Self
-    where
-        F: Copy,
-    {
-        Self::gather(|_| x)
-    }
+    fn all(x: F) -> Self;
     /// Their sum: of the halves, half by half.
     fn total(self) -> F;
 }
