@@ -294,8 +294,8 @@ proptest! {
     }
 }
 
-/// Strips also add up to the totals where power is corrected, in long contacts with spin: each strip
-/// has its share of what the correction adds to the moment.
+/// Strips also add up to the totals where power is corrected, in long contacts with spin: each
+/// strip has its share of what the correction adds to the moment.
 #[test]
 fn strips_add_up_where_power_is_corrected() {
     let options = options(Model::Strip, StripCount::Eight);
