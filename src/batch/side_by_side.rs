@@ -299,9 +299,7 @@ fn together<F: Float, L: Strips<F>, const N: usize>(
             }
         }
     }
-    quantities
-        .each_ref()
-        .map(|numbers| L::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())))
+    quantities.each_ref().map(|numbers| L::of_list(numbers))
 }
 
 /// The derivatives of one contact.

@@ -317,9 +317,7 @@ impl<F: Real> Layer<F> {
         let (root, upright) = (P::all(self.root), P::all(F::one() / self.root));
         let mut sums = [T::zero(); 4];
         for four in table!(F, STRIPS) {
-            let field = |from: usize| {
-                P::gather(|k| four.get(from + lane + k).map_or(F::zero(), |x| F::stored(*x)))
-            };
+            let field = |from: usize| P::of_list(four.get(from + lane..).unwrap_or_default());
             let [place, c, load] = [field(0), field(4), field(8)];
             // (υx − φ y, υy + φ x): over the bound of the strip per half length, x in half lengths
             let arm = -(place * upright * upright);
