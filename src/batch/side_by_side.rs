@@ -299,7 +299,9 @@ fn together<F: Float, L: Strips<F>, const N: usize>(
             }
         }
     }
-    quantities.each_ref().map(|numbers| L::of_list(numbers))
+    quantities
+        .each_ref()
+        .map(|numbers| L::gather(|lane| numbers.get(lane).copied().unwrap_or(F::zero())))
 }
 
 /// The derivatives of one contact.
