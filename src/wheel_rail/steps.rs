@@ -31,6 +31,8 @@ const SMALL_SLIP: f64 = 2.8;
 const LARGEST_CHANGE: f64 = 0.1;
 /// Least share of a step to both sides.
 const SHORTEST: f64 = 1.0 / 32.0;
+/// Least pressure for steps to both sides, divided by its change over one of them.
+const MORE: f64 = 1.0625;
 /// Least overlap that decides a step \[m\]: the points of a gap may touch less than its curve.
 const SHALLOWEST: f64 = 1e-9;
 
@@ -148,6 +150,7 @@ impl<F: Float> Steps<'_, F> {
                 shorten(room.cells, &self.lengths, &mut shares);
             }
             bound_changes(room.cells, &self.lengths, &shares);
+            keep_pressures(room.cells, &self.lengths, &shares, self.sides);
             for (k, (column, rates)) in columns.iter_mut().zip(&rates).enumerate() {
                 let (length, part) = (at(&self.lengths, k), at(&shares, k));
                 for side in [F::one(), -F::one()].into_iter().take(self.sides) {
@@ -174,12 +177,7 @@ impl<F: Float> Steps<'_, F> {
         let Self { scene, view, state, moves, .. } = *self;
         let Room { cells, strips, contact } = room;
         let ContactStep { k, length, share } = *step;
-        // (what is more than zero does not vanish over a step)
-        let of = |own: Directed<F>| {
-            let moved = own.value + length * own.derivative(k);
-            let vanishes = own.value > F::zero() && moved <= F::zero();
-            if vanishes { own.value } else { moved }
-        };
+        let of = |own: Directed<F>| own.value + length * own.derivative(k);
         view.strips(cells, of, pressed, strips)?;
         if strips.count == 0 {
             return Ok([F::zero(); 6]);
@@ -230,6 +228,30 @@ fn bound_changes<F: Float>(
                 for own in [y, width, half_length, centre_x, pressure] {
                     own.set_derivative(k, own.derivative(k) * part);
                 }
+            }
+        }
+    }
+}
+
+/// Keeps pressures above zero over shares of steps `h`, so that no strip vanishes. For a step to
+/// one side a pressure that would vanish does not change. For steps to both sides it is raised to
+/// at least 1.06 times its largest change, so that the difference of both sides keeps the whole
+/// derivative: `p₊ − p₋ = 2 h p'`.
+fn keep_pressures<F: Float>(
+    cells: &mut Cells<F, TOGETHER>,
+    steps: &[F; TOGETHER],
+    shares: &[F; TOGETHER],
+    sides: usize,
+) {
+    for Cell { pressure, .. } in
+        cells.list.iter_mut().filter(|cell| cell.pressure.value > F::zero())
+    {
+        for (k, (step, share)) in steps.iter().zip(shares).enumerate() {
+            let change = *step * *share * pressure.derivative(k);
+            if sides == 2 {
+                pressure.value = pressure.value.max(change.abs().times(MORE));
+            } else if pressure.value + change <= F::zero() {
+                pressure.set_derivative(k, F::zero());
             }
         }
     }
