@@ -1832,7 +1832,7 @@ typedef struct kstrip_wheel_contact {
  * @param[out] count      receives their number; 0: the wheel is lifted.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
  *         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
- *         (lengths or places of friction do not ascend, an angle beyond 1.6),
+ *         (lengths or places of friction do not ascend, an angle beyond 2.3),
  *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
  *         kstrip_patch_from_profile().
  */

@@ -294,7 +294,7 @@ pub struct ContactCount {
 /// the normal problem of each.
 ///
 /// # Errors
-/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 1.6; [`Error::PatchSize`]
+/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 2.3; [`Error::PatchSize`]
 /// for more than four separate contacts, or more than [`KSTRIP_CONTACTS_CAPACITY`] in all;
 /// [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).

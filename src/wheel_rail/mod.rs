@@ -221,7 +221,7 @@ impl<F: Float> WheelPair<F> {
     }
 }
 
-/// Sine and cosine of an angle up to 1.6 in size.
+/// Sine and cosine of an angle up to 2.3 in size.
 pub(crate) fn sine_cosine<F: Float>(angle: F) -> (F, F) {
     // half the angle by Taylor's series, then sin 2x = 2 sin x cos x,  1 − cos 2x = 2 sin² x
     let x = angle.times(0.5);

@@ -11,11 +11,13 @@
 //! ```
 //!
 //! and the point of the rail under it moves by `du = dp·r'/(r'·r' − e·r'')`. Where the gap ends
-//! between two points of the wheel, because the rail ends or the distance is that at which points
-//! are left out, this length or this distance stays, and the place on the profile moves.
+//! between two points of the wheel, because the rail ends or leans back or the distance is that at
+//! which points are left out, this length or this distance stays, and the place on the profile
+//! moves.
 
 use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
+use super::touch::STEEPEST;
 use super::{Position, sine_cosine};
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
@@ -170,7 +172,8 @@ impl<F: Float> Moves<F> for PointMoves<'_, F> {
         let [along, distance, ..] = members;
         let under = self.under(members);
         let close = F::EPSILON.times(ROUNDINGS);
-        let ends = self.rail.ends_at(along, close);
+        let leans_back = (under.cosine - F::of(STEEPEST)).abs() <= close;
+        let ends = leans_back || self.rail.ends_at(along, close);
         let leaves = distance >= self.reach * (F::one() - close);
         let by: [_; TOGETHER] = core::array::from_fn(|k| {
             let ([x, .., radius], moved) = self.in_one(members, &under, self.first + k);

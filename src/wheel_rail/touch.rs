@@ -12,9 +12,12 @@ use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, set_at};
 use crate::status::Error;
+use core::f64::consts::PI;
 
 /// Default of the distance above which points are left out \[m\].
 pub(super) const REACH: f64 = 2e-3;
+/// Least cosine of the angle of a rail under a point: a side that leans back by more is left out.
+pub(super) const STEEPEST: f64 = -1.0 / 3.0;
 /// Number of points that are searched side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
@@ -192,16 +195,22 @@ impl<F: Float> Above<'_, F> {
                 continue;
             }
             let own = |x: &P| x.lane(i);
-            let (distance, sum_z) = (own(&foot.distance), own(&sum_z));
-            let radius = own(&rolling_radius);
-            if distance < self.reach && sum_z > zero && radius > zero {
-                let ([x, y, z], angle) = (&line.place, (-own(&sum_y) / sum_z).atan());
-                let along = own(&foot.along);
+            let (distance, radius) = (own(&foot.distance), own(&rolling_radius));
+            if distance < self.reach && own(&rail_z) > F::of(STEEPEST) && radius > zero {
+                let ([x, y, z], along) = (&line.place, own(&foot.along));
+                let angle = angle_of(-own(&sum_y), own(&sum_z));
                 *found = Some([along, distance, own(x), own(y), own(z), angle, radius]);
             }
         }
         found
     }
+}
+
+/// The angle from y to z of a vector: beyond ±π/2 where the second is negative.
+fn angle_of<F: Float>(sine: F, cosine: F) -> F {
+    let angle = (sine / cosine).atan();
+    let half_turn = if cosine >= F::zero() { F::zero() } else { F::of(PI) };
+    if sine < F::zero() { angle - half_turn } else { angle + half_turn }
 }
 
 impl<'a, F: Float> GapSearch<'a, F> {

@@ -23,7 +23,7 @@ const REACH: f64 = 1e-3;
 /// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
 const MARGIN: f64 = 3.0;
 /// Upper bound of the angles of a gap \[rad\].
-const STEEPEST: f64 = 1.6;
+const STEEPEST: f64 = 2.3;
 
 /// Distance of the surfaces from which points do not count \[m\].
 fn counting<F: Float>(step: F, smoothing: F) -> F {

@@ -3,7 +3,9 @@
 
 use crate::prelude::*;
 use crate::wheel_continuity::{RAILS, WHEELS};
+use crate::wheel_rail::single;
 use kstrip::patch::StoredPatch;
+use kstrip::wheel_rail::touch::Gap;
 
 type Members = [f64; 6];
 
@@ -115,6 +117,79 @@ fn derivatives_by_position_are_those_of_differences() {
     }
     println!("kinks {kinks}");
     assert!(kinks < 4);
+}
+
+/// Rails whose side leans back below: the gap ends at a place of the rail, between two points of a
+/// wheel, and is near enough there to count.
+#[test]
+fn derivatives_by_position_where_a_rail_leans_back() {
+    let rail = profile("avglow", 0.0);
+    let pair = WheelPair { smoothing_length: 2e-3, ..steel(0.46) };
+    let velocity = Velocity { forward: 20.0, lateral: 0.05, pitch: -43.4, ..Velocity::default() };
+    let mut memory = zeroed::<Workspace<f64>>();
+    for (lateral, name) in [(9.4e-3, "en_wheel_h"), (9e-3, "en_wheel_a"), (8e-3, "s1002")] {
+        let wheel = profile(name, 0.0);
+        let scene = scene(&rail, &wheel, &pair);
+        let position = placed([lateral, 0.0, -0.0175, -0.0094]);
+        let (vertical, _) = scene.height_for_load(&position, 130e3, None, &mut memory).unwrap();
+        let position = Position { vertical, ..position };
+        let errors = errors(&scene, &position, &velocity, &mut memory);
+        let Gap { along, distance, .. } = &memory.gap;
+        let steepest =
+            (0..rail.count as usize / 2).rfind(|&k| 3.0 * rail.cosine[k] < -1.0).unwrap() as f64;
+        let ends = |along: f64| (0.0..1.0).contains(&(along / rail.step - steepest));
+        let first = (0..2).find(|&k| ends(along[k])).unwrap();
+        println!("{name}: {errors:?}, {} {}", along[first] / rail.step, distance[first]);
+        assert!(distance[first] < 1e-3, "{name}: {}", distance[first]);
+        assert!(errors.iter().all(|off| off.is_some_and(|off| off < 1e-6)), "{name}: {errors:?}");
+    }
+}
+
+/// `dF_z/dz` of a rolling wheel at lateral, vertical, yaw and roll.
+fn stiffness<F: Float>(scene: &Scene<F>, [lateral, vertical, yaw, roll]: [F; 4]) -> F {
+    let [forward, lateral_speed, pitch, yaw_rate] = [20.0, 0.05, -43.4, 0.02].map(F::of);
+    let velocity = Velocity {
+        forward,
+        lateral: lateral_speed,
+        pitch,
+        yaw: yaw_rate,
+        vertical: F::zero(),
+        roll: F::zero(),
+    };
+    let mut slopes = WrenchByPosition::default();
+    let state = BodyState { position: Position { lateral, vertical, yaw, roll }, velocity };
+    let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
+    scene.differentiate(&state, &mut zeroed(), requested).unwrap();
+    slopes.vertical[2]
+}
+
+/// Cells that touch by less than the step of single precision: their pressures keep the whole of
+/// their derivatives.
+#[test]
+fn derivatives_of_slight_pressures_are_those_of_double_precision() {
+    let narrow = |surface: &Surface<f64>| {
+        let Surface { y, z, cosine, sine, step, spacing, count, form } = *surface;
+        let [y, z, cosine, sine] = [y, z, cosine, sine].map(|list| list.map(|x| x as f32));
+        Surface { y, z, cosine, sine, step: step as f32, spacing: spacing as f32, count, form }
+    };
+    let (rail, wheel) = (profile("wornhm", 0.0), profile("en_wheel_a", 0.0));
+    let pair = WheelPair { smoothing_length: 2e-3, ..steel(0.46) };
+    let narrow_pair = WheelPair { smoothing_length: 2e-3, ..single(&pair) };
+    for (strips, position) in [
+        (
+            StripCount::SixtyFour,
+            [-0.005_150_327_f32, 0.003_896_082, -0.009_268_816, -0.014_159_497],
+        ),
+        (StripCount::Four, [0.002_467_777_8, 0.003_207_147_6, 0.016_837_627, -0.008_922_612]),
+    ] {
+        let exact = Scene { strips, ..scene(&rail, &wheel, &pair) };
+        let exact = stiffness(&exact, position.map(f64::from));
+        let law = Law { model: Model::Strip, falling: None };
+        let (rail, wheel) = (&narrow(&rail), &narrow(&wheel));
+        let scene = Scene { rail, wheel, pair: &narrow_pair, strips, law };
+        let off = f64::from(stiffness(&scene, position)) / exact - 1.0;
+        assert!(off.abs() < 8e-3, "{strips:?} {off:.1e}");
+    }
 }
 
 /// Two bottoms so far apart that both are one contact and two, each by a share, which changes as

@@ -721,7 +721,7 @@ fn manchester_benchmark_is_that_of_contact() {
 }
 
 /// A wheel pair in single precision.
-fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
+pub(crate) fn single(pair: &WheelPair<f64>) -> WheelPair<f32> {
     WheelPair {
         wheel_radius: pair.wheel_radius as f32,
         shear_modulus: pair.shear_modulus as f32,
