@@ -23,6 +23,8 @@ const PLACES: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 const DEEP: f64 = 0.03;
 /// `l` over the smoothing length.
 const REACH: f64 = 0.1;
+/// Variation of the depth that hardly counts, over `d₀`.
+const SLIGHT: f64 = 0.02;
 
 /// A place in a zone or at its end.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +45,9 @@ pub(super) struct Zones<F, const N: usize> {
     per_deep: Dual<F, N>,
     /// `l` \[m\]
     reach: Dual<F, N>,
+    /// Variation of `min(1, d/d₀)` along all zones, and its value at the last place.
+    variation: Dual<F, N>,
+    last: Dual<F, N>,
     /// Number of places before the zone that has begun.
     pub begun: Option<usize>,
     /// Whether there were more zones than there is room for.
@@ -82,7 +87,14 @@ impl<F: Float, const N: usize> Zones<F, N> {
     #[inline(always)]
     pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
-        Self { list: Vec::new(), places: Vec::new(), per_deep, reach, begun: None, joined: false }
+        let (list, places, variation) = (Vec::new(), Vec::new(), Dual::zero());
+        let (last, begun, joined) = (variation, None, false);
+        Self { list, places, per_deep, reach, variation, last, begun, joined }
+    }
+
+    /// Number of lobes: half the variation of the depth.
+    pub fn lobes(&self) -> Dual<F, N> {
+        (self.variation + size(self.last)).times(0.5)
     }
 
     /// Hands every stretch to `take`, with the number of its zone.
@@ -132,6 +144,9 @@ impl<F: Float, const N: usize> Zones<F, N> {
         let depth = (-value).max(Dual::zero()) * self.per_deep;
         let steepness = self.reach * slope * self.per_deep;
         let place = DensityPoint { y, density: depth + steepness.squared() };
+        let depth = depth.min(Dual::one());
+        self.variation += size(depth - self.last);
+        self.last = depth;
         let deep = |place: &DensityPoint<F, N>| place.density.value >= F::one();
         let full = self.places.is_full();
         match self.places.get_mut(begun..) {
@@ -160,4 +175,10 @@ impl<F: Float, const N: usize> Zones<F, N> {
             self.places.truncate(begun);
         }
     }
+}
+
+/// `x²/(|x| + c)`, about the size of a number, without a kink.
+fn size<F: Float, const N: usize>(x: Dual<F, N>) -> Dual<F, N> {
+    let positive = if x.value < F::zero() { -x } else { x };
+    x.squared() / positive.plus(SLIGHT)
 }

@@ -4,9 +4,9 @@
 //! them is divided into equal parts. A cell is cut where a zone ends. The cells do not depend on
 //! where the points of the profile lie.
 //!
-//! The number of lobes `k` is half the variation of the density along the zones: each deep zone
-//! counts as one, whether it has neighbours or has just parted from them, and one that has just
-//! begun hardly counts. With more than two lobes there are more cells,
+//! The number of lobes `k` is half the variation of the depth `min(1, d/d₀)` along the zones: each
+//! deep zone counts as one, whether it has neighbours or has just parted from them, and one that
+//! has just begun hardly counts. With more than two lobes there are more cells,
 //!
 //! ```text
 //! n + (n₁ − n) x²/(x² + 6),   x = max(0, k − 2)
@@ -16,8 +16,9 @@
 //! is not whole, half of the rest is in the first cell and half in the last.
 
 use crate::normal::cell::{Cell, Cells};
-use crate::normal::density::Zones;
+use crate::normal::density::{ZONES, Zones};
 use crate::number::{Arithmetic, Dual, Float, add};
+use heapless::Vec;
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
 const LEANING: f64 = 0.3;
@@ -31,8 +32,6 @@ const OF_FEW: f64 = 2.0;
 const HALF_OF_MORE: f64 = 6.0;
 /// Cells that a lobe needs to be resolved.
 const OF_LOBE: f64 = 3.0;
-/// Variation of the density that hardly counts.
-const SLIGHT: f64 = 0.02;
 
 /// At most `count` cells, or `most` where there are many lobes, and one more for each zone but the
 /// first: the density of the zones decides how wide they are. Returns the integral of the density,
@@ -47,18 +46,11 @@ pub(super) fn layout<F: Float, const N: usize>(
     list.clear();
     let zero = Dual::zero();
     let (mut total, mut far) = (zero, F::zero());
-    let (mut lobes, mut before) = (zero, (usize::MAX, zero));
-    zones.stretches(&mut |zone, stretch| {
+    zones.stretches(&mut |_, stretch| {
         total += stretch.integral();
-        let [low, high] = stretch.densities;
-        if zone != before.0 {
-            lobes += before.1 + low;
-        }
-        lobes += size(high - low);
-        before = (zone, high);
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
-    let lobes = (lobes + before.1).times(0.5);
+    let lobes = zones.lobes();
     let further = lobes.plus(-OF_FEW).max(zero);
     let [count, most] = [count, most].map(|count| F::widened(count as f32));
     let more = further.squared() / further.squared().plus(HALF_OF_MORE);
@@ -106,12 +98,6 @@ pub(super) fn layout<F: Float, const N: usize>(
     (total, lobes.value.times(OF_LOBE) <= count.value)
 }
 
-/// `x²/(|x| + c)`, about the size of a number, without a kink.
-fn size<F: Float, const N: usize>(x: Dual<F, N>) -> Dual<F, N> {
-    let positive = if x.value < F::zero() { -x } else { x };
-    x.squared() / positive.plus(SLIGHT)
-}
-
 /// Where cells are cut.
 #[derive(Clone, Copy)]
 struct Cut<F, const N: usize> {
@@ -132,9 +118,10 @@ struct Cut<F, const N: usize> {
 /// divided by the part's own width: like springs in series two gaps are as stiff as one of their
 /// length.
 ///
-/// A zone that is less than a cell carries little: with its share `r`, to which other zones add by
-/// their nearness over the free length between, its parts are coupled to a pressure of zero with
-/// `κ = 0.3 W (1 − r)²/r`.
+/// A zone that is less than a cell carries little: with its share `r`, its parts are coupled to a
+/// pressure of zero with `κ = 0.3 W (1 − r)²/r`. Zones that are near count as one with it: this is
+/// the mean over all numbers from 0 to 1 of `κ` with the shares of zones whose nearness, over the
+/// free length between, is more than the number.
 #[inline(never)]
 pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
     let list = &mut cells.list;
@@ -170,12 +157,8 @@ fn leaning<F: Float, const N: usize>(
     // κ over the part's own width
     let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
     let rest = (Dual::one() - share).max(Dual::zero());
-    let zone = zone_share(known, i, half_cell);
     let mut leaning = Cell { at: moment / near, over: near, ..*place };
-    if zone.value < F::one() {
-        let rest = Dual::one() - zone;
-        leaning.alone = cell * rest.squared() / zone;
-    }
+    leaning.alone = cell * softness_of_zone(known, i, half_cell);
     let by_zone = cell * rest.squared() / share * near * per_width;
     let sides = [(&below, &above, i.checked_sub(1)), (&above, &below, Some(i + 1))];
     for ((side, other, next), coupling) in sides.into_iter().zip(&mut leaning.coupling) {
@@ -193,31 +176,59 @@ fn leaning<F: Float, const N: usize>(
     Some(leaning)
 }
 
-/// Share of a whole cell that a place's zone has, with other zones by their nearness.
-fn zone_share<F: Float, const N: usize>(
+/// `(1 − r)²/r` of a zone's share `r` of a whole cell; 0 for a whole cell or more.
+fn softness<F: Float, const N: usize>(share: Dual<F, N>) -> Dual<F, N> {
+    let rest = (Dual::one() - share).max(Dual::zero());
+    rest.squared() / share
+}
+
+/// The mean of `(1 − r)²/r` over all numbers from 0 to 1, with the share `r` of a place's zone and
+/// of those that are nearer than the number.
+fn softness_of_zone<F: Float, const N: usize>(
     known: &[Cell<F, N>],
     from: usize,
     half_cell: Dual<F, N>,
 ) -> Dual<F, N> {
-    let mut sum = Dual::zero();
-    let Some((before, rest)) = known.split_at_checked(from) else { return sum };
-    let mut add = |parts: &mut dyn Iterator<Item = &Cell<F, N>>, skipped: usize| {
-        let (mut free, mut last) = (Dual::zero(), None::<&Cell<F, N>>);
-        for (k, part) in parts.enumerate() {
-            if let Some(last) = last.filter(|last| last.zone != part.zone) {
+    let Some((before, [place, after @ ..])) = known.split_at_checked(from) else {
+        return Dual::zero();
+    };
+    let mut share = place.share;
+    // nearness and share of other zones on a side, the nearest first
+    let mut others = |parts: &mut dyn Iterator<Item = &Cell<F, N>>| {
+        let mut others = Vec::<[Dual<F, N>; 2], ZONES>::new();
+        let (mut free, mut last) = (Dual::zero(), place);
+        for part in parts {
+            if part.zone != last.zone {
                 let apart = part.y - last.y;
                 let apart = if apart.value < F::zero() { -apart } else { apart };
                 free += apart - (part.width + last.width).times(0.5);
+                let near = half_cell / (half_cell + free.squared());
+                let _ = others.push([near, part.share]);
+            } else if let Some([_, other]) = others.last_mut() {
+                *other += part.share;
+            } else {
+                share += part.share;
             }
-            last = Some(part);
-            if k >= skipped {
-                sum += part.share * half_cell / (half_cell + free.squared());
-            }
+            last = part;
         }
+        others
     };
-    add(&mut rest.iter(), 0);
-    add(&mut rest.iter().take(1).chain(before.iter().rev()), 1);
-    sum
+    let above = others(&mut after.iter());
+    let below = others(&mut before.iter().rev());
+    let [mut above, mut below] = [above.iter().peekable(), below.iter().peekable()];
+    let (mut sum, mut reached) = (Dual::zero(), Dual::one());
+    loop {
+        let next = match (above.peek(), below.peek()) {
+            (Some([one, _]), Some([two, _])) if one.value < two.value => below.next(),
+            (None, _) => below.next(),
+            _ => above.next(),
+        };
+        let Some([near, other]) = next else { break };
+        sum += (reached - *near) * softness(share);
+        share += *other;
+        reached = *near;
+    }
+    sum + reached * softness(share)
 }
 
 /// The other parts of a cell on one side of a part.

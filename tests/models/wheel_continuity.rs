@@ -401,3 +401,31 @@ fn heights_do_not_depend_on_the_start() {
     }
     assert!(found > 25, "{found}");
 }
+
+/// A slight zone beside a contact appears within a nanometre of depth. It takes no cells from the
+/// contact, and its strip carries no more than others that have just begun.
+#[test]
+fn a_slight_zone_changes_no_load() {
+    let (rail, wheel) = (profile("wornhm", 0.0), profile("en_wheel_a", 0.0));
+    let pair = WheelPair { smoothing_length: 4e-3, ..steel(0.46) };
+    let scene = Scene { strips: StripCount::Four, ..scene(&rail, &wheel, &pair) };
+    let mut memory = zeroed::<Workspace<f64>>();
+    let velocity = Velocity { forward: 20.0, pitch: -43.4, ..Velocity::default() };
+    let mut zones = Vec::new();
+    let mut loads = Vec::new();
+    for k in -16..=16 {
+        let vertical = 0.003_248_083_17 + 2.5e-10 * f64::from(k);
+        let position = placed([-6.062_603_21e-4, vertical, -0.012_123_964_7, 0.016_817_782_1]);
+        let wrench = scene.solve(&BodyState { position, velocity }, &mut memory).unwrap();
+        let patch = &memory.contacts[0].patch;
+        let strips = patch.strips[..patch.count as usize].iter();
+        let slight = strips.filter(|strip| strip.width < 7e-6);
+        let pressures = slight.clone().map(|strip| strip.peak_pressure);
+        assert!(pressures.fold(0.0, f64::max) < 50e6, "{k}: {:?}", slight.collect::<Vec<_>>());
+        zones.push(slight.count());
+        loads.push(wrench.normal_force);
+    }
+    let [least, most] = [f64::min, f64::max].map(|of| loads.iter().copied().reduce(of).unwrap());
+    assert!(zones[0] == 0 && zones[32] > 0, "{zones:?}");
+    assert!(most / least - 1.0 < 2e-3, "{loads:?}");
+}
