@@ -176,6 +176,13 @@ fn leaning<F: Float, const N: usize>(
     Some(leaning)
 }
 
+/// Free length between two parts \[m\].
+fn gap<F: Float, const N: usize>(one: &Cell<F, N>, other: &Cell<F, N>) -> Dual<F, N> {
+    let apart = one.y - other.y;
+    let apart = if apart.value < F::zero() { -apart } else { apart };
+    (apart - (one.width + other.width).times(0.5)).max(Dual::zero())
+}
+
 /// `(1 − r)²/r` of a zone's share `r` of a whole cell; 0 for a whole cell or more.
 fn softness<F: Float, const N: usize>(share: Dual<F, N>) -> Dual<F, N> {
     let rest = (Dual::one() - share).max(Dual::zero());
@@ -199,9 +206,7 @@ fn softness_of_zone<F: Float, const N: usize>(
         let (mut free, mut last) = (Dual::zero(), place);
         for part in parts {
             if part.zone != last.zone {
-                let apart = part.y - last.y;
-                let apart = if apart.value < F::zero() { -apart } else { apart };
-                free += apart - (part.width + last.width).times(0.5);
+                free += gap(part, last);
                 let near = half_cell / (half_cell + free.squared());
                 let _ = others.push([near, part.share]);
             } else if let Some([_, other]) = others.last_mut() {
@@ -252,9 +257,7 @@ impl<F: Float, const N: usize> Beside<F, N> {
             if next.number != own.number || next.zone == own.zone {
                 break;
             }
-            let apart = next.y - own.y;
-            let apart = if step < 0 { -apart } else { apart };
-            let gap = (apart - (own.width + next.width).times(0.5)).max(zero);
+            let gap = gap(own, next);
             if k == from {
                 beside.gap = gap;
             }

@@ -17,7 +17,7 @@
 
 use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
-use super::touch::STEEPEST;
+use super::touch::UNDERCUT;
 use super::{Position, sine_cosine};
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
@@ -172,7 +172,7 @@ impl<F: Float> Moves<F> for PointMoves<'_, F> {
         let [along, distance, ..] = members;
         let under = self.under(members);
         let close = F::EPSILON.times(ROUNDINGS);
-        let leans_back = (under.cosine - F::of(STEEPEST)).abs() <= close;
+        let leans_back = (under.cosine - F::of(UNDERCUT)).abs() <= close;
         let ends = leans_back || self.rail.ends_at(along, close);
         let leaves = distance >= self.reach * (F::one() - close);
         let by: [_; TOGETHER] = core::array::from_fn(|k| {

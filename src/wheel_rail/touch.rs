@@ -17,7 +17,7 @@ use core::f64::consts::PI;
 /// Default of the distance above which points are left out \[m\].
 pub(super) const REACH: f64 = 2e-3;
 /// Least cosine of the angle of a rail under a point: a side that leans back by more is left out.
-pub(super) const STEEPEST: f64 = -1.0 / 3.0;
+pub(super) const UNDERCUT: f64 = -1.0 / 3.0;
 /// Number of points that are searched side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
@@ -196,7 +196,7 @@ impl<F: Float> Above<'_, F> {
             }
             let own = |x: &P| x.lane(i);
             let (distance, radius) = (own(&foot.distance), own(&rolling_radius));
-            if distance < self.reach && own(&rail_z) > F::of(STEEPEST) && radius > zero {
+            if distance < self.reach && own(&rail_z) > F::of(UNDERCUT) && radius > zero {
                 let ([x, y, z], along) = (&line.place, own(&foot.along));
                 let angle = angle_of(-own(&sum_y), own(&sum_z));
                 *found = Some([along, distance, own(x), own(y), own(z), angle, radius]);

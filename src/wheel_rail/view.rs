@@ -23,7 +23,7 @@ const REACH: f64 = 1e-3;
 /// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
 const MARGIN: f64 = 3.0;
 /// Upper bound of the angles of a gap \[rad\].
-const STEEPEST: f64 = 2.3;
+const LARGEST_ANGLE: f64 = 2.3;
 
 /// Distance of the surfaces from which points do not count \[m\].
 fn counting<F: Float>(step: F, smoothing: F) -> F {
@@ -65,8 +65,8 @@ impl<'a, F: Float> View<'a, F> {
             .unless(lists.into_iter().all(are_finite) && gap.step.is_finite_number())?;
         Error::SmoothingLength.unless(gap.step >= F::zero())?;
         Error::RollingRadius.when(rolling_radius.iter().any(|radius| *radius <= F::zero()))?;
-        let upright = angle.iter().all(|angle| angle.abs() < F::of(STEEPEST));
-        if ascend(along) && upright {
+        let in_range = angle.iter().all(|angle| angle.abs() < F::of(LARGEST_ANGLE));
+        if ascend(along) && in_range {
             Ok(Self { lists, pair, position, given_step: gap.step, moved: None })
         } else {
             Err(Error::Profile)
