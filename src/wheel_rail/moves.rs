@@ -17,7 +17,7 @@
 
 use super::line_of_contact::{FACTORS, Turn};
 use super::surface::Surface;
-use super::touch::UNDERCUT;
+use super::under::UNDERCUT;
 use super::{Position, sine_cosine};
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};

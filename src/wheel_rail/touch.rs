@@ -7,7 +7,7 @@
 
 use super::line_of_contact::Wheel;
 use super::surface::{CurvePoint, Surface};
-use super::under::Rail;
+use super::under::{Rail, UNDERCUT};
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, set_at};
@@ -16,8 +16,6 @@ use core::f64::consts::PI;
 
 /// Default of the distance above which points are left out \[m\].
 pub(super) const REACH: f64 = 2e-3;
-/// Least cosine of the angle of a rail under a point: a side that leans back by more is left out.
-pub(super) const UNDERCUT: f64 = -1.0 / 3.0;
 /// Number of points that are searched side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.

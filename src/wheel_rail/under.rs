@@ -14,9 +14,15 @@ const COARSE: usize = 32;
 /// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
 
+/// Least cosine of a rail's angle: a side that leans back by more, and what is below it, is left
+/// out.
+pub(super) const UNDERCUT: f64 = -1.0 / 3.0;
+
 /// A rail, and where the search for the next point begins.
 pub(super) struct Rail<'a, F> {
     surface: &'a Surface<F>,
+    /// First and last of the points around the highest one between which it does not lean back.
+    upright: [usize; 2],
     /// Distance from the rail above which only the nearest of its points is looked for \[m\].
     reach: F,
     /// The nearest of its points to the last point.
@@ -45,7 +51,8 @@ impl<'a, F: Float> Rail<'a, F> {
     pub fn new(surface: &'a Surface<F>, reach: F) -> Self {
         let free = ([F::zero(); 2], F::zero());
         let (faced, looks_at_all) = (false, false);
-        Self { surface, reach, nearest: None, outside: None, free, faced, looks_at_all }
+        let upright = upright(surface);
+        Self { surface, upright, reach, nearest: None, outside: None, free, faced, looks_at_all }
     }
 
     /// Whether the rail is certainly out of reach of points side by side, and there is no need to
@@ -118,7 +125,9 @@ impl<'a, F: Float> Rail<'a, F> {
         // the next point on this side is not nearer, so that e·t = 0 before it
         let is_ahead = e_y * rail.cosine + e_z * rail.sine > F::zero();
         let under = if is_ahead { (k, F::zero()) } else { (k.checked_sub(1)?, F::one()) };
-        let is_beyond = under.0 + 1 >= self.surface.count as usize;
+        let [first, last] = self.upright;
+        let leans_back = under.0 + 1 < first || under.0 > last;
+        let is_beyond = leans_back || under.0 + 1 >= self.surface.count as usize;
         // beside the rail rather than above it
         let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
         let faces = normal_z * rail.cosine - normal_y * rail.sine > length.times(FACING);
@@ -164,4 +173,20 @@ impl<'a, F: Float> Rail<'a, F> {
         let distance = (y - rail_y.value) * sine - (z - rail_z.value) * cosine;
         Foot { along: (first + u) * step, distance, normal: [-sine, cosine] }
     }
+}
+
+/// First and last of the points around a rail's highest one between which no cosine is below
+/// [`UNDERCUT`].
+fn upright<F: Float>(rail: &Surface<F>) -> [usize; 2] {
+    let count = rail.count as usize;
+    let [z, cosine] = [&rail.z, &rail.cosine].map(|list| list.get(..count).unwrap_or(&[]));
+    let lower = |(highest, least), (k, z): (usize, &F)| {
+        if *z < least { (k, *z) } else { (highest, least) }
+    };
+    let (highest, _) = z.iter().enumerate().fold((0, F::LARGEST), lower);
+    let leans_back = |cosine: &F| *cosine <= F::of(UNDERCUT);
+    let (before, after) = cosine.split_at_checked(highest).unwrap_or((&[], cosine));
+    let first = before.iter().rposition(leans_back).map_or(0, |k| k + 1);
+    let last = after.iter().position(leans_back).map_or(count, |k| highest + k);
+    [first, last.saturating_sub(1)]
 }

@@ -142,6 +142,21 @@ fn derivatives_by_position_where_a_rail_leans_back() {
         println!("{name}: {errors:?}, {} {}", along[first] / rail.step, distance[first]);
         assert!(distance[first] < 1e-3, "{name}: {}", distance[first]);
         assert!(errors.iter().all(|off| off.is_some_and(|off| off < 1e-6)), "{name}: {errors:?}");
+        // as it rolls, points of the wheel pass the part of the side that leans back
+        let (mut before, step) = (None, 2.5e-6);
+        for k in -400..=0 {
+            let position = moved(&position, 3, step * f64::from(k));
+            let mut slopes = WrenchByPosition::default();
+            let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
+            let state = BodyState { position, velocity };
+            let wrench = scene.differentiate(&state, &mut memory, requested).unwrap();
+            let here = (wrench.force[1], slopes.roll[1]);
+            if let Some((force, slope)) = before {
+                let jump: f64 = here.0 - force - 0.5 * step * (here.1 + slope);
+                assert!(jump.abs() < 40.0, "{name} {k}: {jump} of {force}");
+            }
+            before = Some(here);
+        }
     }
 }
 
