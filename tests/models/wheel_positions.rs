@@ -233,6 +233,26 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
     }
 }
 
+/// A contact so wide that the steps of its knots follow the length over which the surfaces are low,
+/// with waves so short that it matters where the knots are. (Lateral and roll hardly change the
+/// force of a wheel that is even but for its waves.)
+#[test]
+fn derivatives_by_position_of_a_wide_contact() {
+    let y: [f64; 400] = std::array::from_fn(|i| (i as f64 - 199.5) * 100e-6);
+    let rail = prepared(&y, &y.map(|y| y * y / 0.6));
+    let wheel = prepared(&y, &y.map(|y| 2e-6 * (y / 120e-6).sin()));
+    let pair = steel(0.46);
+    let scene = scene(&rail, &wheel, &pair);
+    let (mut memory, position) = (zeroed::<Workspace<f64>>(), placed([1e-4, 0.0, 0.002, 1e-4]));
+    for load in [60e3, 100e3, 150e3] {
+        let (vertical, _) = scene.height_for_load(&position, load, None, &mut memory).unwrap();
+        let position = Position { vertical, ..position };
+        let found = errors(&scene, &position, &ROLLING, &mut memory);
+        println!("{found:?}");
+        assert!(found.iter().all(|off| off.is_some_and(|off| off < 5e-5)), "{found:?}");
+    }
+}
+
 fn zones(memory: &Workspace<f64>) -> usize {
     let of_contact = |contact: &WheelContact<f64>| {
         let StoredPatch { strips, count, .. } = &contact.patch;
