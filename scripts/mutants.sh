@@ -25,7 +25,7 @@ export CARGO_TARGET_DIR=$target CARGO_INCREMENTAL=0 CARGO_PROFILE_DEV_DEBUG=0 KS
 # release is tested here.
 export CARGO_PROFILE_DEV_DEBUG_ASSERTIONS=false
 python3 - "$copy" "$@" <<'PY'
-import argparse, json, os, pathlib, random, re, signal, subprocess, sys, time
+import argparse, json, os, pathlib, random, re, signal, subprocess, sys, threading, time
 
 parser = argparse.ArgumentParser(prog="scripts/mutants.sh")
 parser.add_argument("copy", type=pathlib.Path)
@@ -173,20 +173,24 @@ def build(programs):
 
 
 def run(number, tests):
-    """Exit status and output of a program; None after the time that an endless loop is taken for."""
+    """Exit status and output of a program, which ends at its first test that fails; None after the time that an endless loop is taken for."""
     program, words = tests.split()[0], tests.split()[1:]
     begin = time.monotonic()
-    process = subprocess.Popen([binaries[program], "-q", *words], cwd=copy, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+    process = subprocess.Popen([binaries[program], *words], cwd=copy, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
                                env={"RUST_MIN_STACK": "16777216", **os.environ, "KSTRIP_MUTANT": str(number)}, start_new_session=True)
-    try:
-        output, _ = process.communicate(timeout=longest.get(tests, 900))
-    except subprocess.TimeoutExpired:
-        # (with the programs that it runs)
-        os.killpg(process.pid, signal.SIGKILL)
-        process.communicate()
-        return None, ""
+    # (with the programs that it runs)
+    timer = threading.Timer(longest.get(tests, 900), os.killpg, (process.pid, signal.SIGKILL))
+    timer.start()
+    output = ""
+    for line in process.stdout:
+        output += line
+        if number and line.endswith(" FAILED\n"):
+            os.killpg(process.pid, signal.SIGKILL)
+            break
+    status = process.wait()
+    timer.cancel()
     longest.setdefault(tests, max(60, 8 * (time.monotonic() - begin)))
-    return process.returncode, output
+    return status, output
 
 
 def kills(number, tests):
