@@ -265,6 +265,16 @@ fn power_is_that_of_friction_and_pressure() {
     }
 }
 
+/// A rail that ends 10 um above the depth of its gauge face, or deeper, is complete.
+#[test]
+fn a_rail_that_ends_above_its_gauge_face_is_told() {
+    let rail = profile("uic60");
+    let top = rail.z[..rail.count as usize].iter().copied().fold(f64::INFINITY, f64::min);
+    let told = |above: f64| gauge_face(&rail, rail.z[0] - top + above).unwrap().1;
+    let warnings = [-500e-6, 9e-6, 11e-6].map(told);
+    assert_eq!(warnings, [Warning::None, Warning::None, Warning::ProfileEnd]);
+}
+
 /// The loads are carried; loads that cannot be carried are named.
 #[test]
 fn settles_under_loads() {
