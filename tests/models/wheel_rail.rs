@@ -297,6 +297,28 @@ fn the_rolling_radius_of_a_yawed_wheel_is_that_of_its_line_of_contact() {
     assert!(compared > 300 && farthest > 1.3, "{compared} {farthest}");
 }
 
+/// No rolling radius is less than a fifth of `r/cos a`: that of a yawed narrow arc would be.
+#[test]
+fn the_rolling_radius_of_a_narrow_arc_is_a_fifth() {
+    let y: [f64; 161] = std::array::from_fn(|i| (i as f64 - 80.0) * 50e-6);
+    let wheel = prepared(&y, &y.map(|y| (25e-6 - y * y).sqrt()));
+    let rail = prepared(&y.map(|y| 5.0 * y), &y.map(|_| 0.0));
+    let mut gap = zeroed::<Gap<f64>>();
+    let position = placed([0.0, 0.0, 0.15, 0.0]);
+    GapSearch::new(&rail, &wheel, 0.46, &position).unwrap().gap(4e-3, &mut gap).unwrap();
+    let mut compared = 0;
+    for k in 0..gap.count as usize {
+        let across = gap.y[k] * 0.15_f64.cos() - gap.x[k] * 0.15_f64.sin();
+        let depth = (25e-6 - across * across).sqrt();
+        if depth < 3.7e-3 {
+            let fifth = 0.2 * (0.46 + depth) / (depth / 5e-3);
+            assert_relative_eq!(gap.rolling_radius[k], fifth, max_relative = 5e-3);
+            compared += 1;
+        }
+    }
+    assert!(compared > 10, "{compared}");
+}
+
 /// A gap of a host that says nothing of the wheel's points has the contacts of one that does; its
 /// own points are as far apart where the surfaces are near.
 #[test]

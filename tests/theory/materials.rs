@@ -108,12 +108,3 @@ fn single_precision_agrees() {
     assert_relative_eq!(f64::from(single.poisson_ratio), double.poisson_ratio, max_relative = 5e-7);
     assert_relative_eq!(f64::from(single.mismatch), double.mismatch, epsilon = 1e-7);
 }
-
-#[test]
-fn poisson_ratios_end_at_a_half() {
-    let with = |ratio| combine(&material(82e9, ratio), &material(82e9, 0.28)).err();
-    assert_eq!(
-        [0.5, 0.501, -1e-3].map(with),
-        [None, Some(Error::PoissonRatio), Some(Error::PoissonRatio)]
-    );
-}
