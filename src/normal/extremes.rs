@@ -4,8 +4,17 @@ use crate::number::{Arithmetic, Dual, Float};
 use crate::numerics::bracket::{Bracket, root};
 use crate::numerics::hermite::Cubic;
 
-/// An extreme of the function that the cubic stands for, where the sign of its value depends on
-/// how exactly its place is known; others as they are.
+/// Share of the larger of a cubic's ends below which its extremes are those of the function that it
+/// stands for; from twice this share on they are its own.
+const NEAR_ZERO: f64 = 0.1;
+/// Rounds that find an extreme, and how far it is from its place at last, over the length.
+const ROUNDS: u32 = 20;
+const CLOSE: f64 = 1e-9;
+
+/// An extreme of the function that the cubic stands for where its value is near zero, where its
+/// sign depends on how exactly its place is known; that of the cubic elsewhere, and between both a
+/// place between them. The extreme of the function is sought half way to the cubic's inflection, so
+/// that it moves without a jump from where the cubic has one.
 pub(super) fn refined<F: Float, const N: usize>(
     cubic: &Cubic<Dual<F, N>>,
     length: F,
@@ -14,22 +23,42 @@ pub(super) fn refined<F: Float, const N: usize>(
 ) -> Dual<F, N> {
     let Cubic(c) = cubic;
     let [c0, .., c2, c3] = c.map(|c| c.value);
-    let inside = |t: F| t > F::zero() && t < length;
-    // (far from zero the sign is known)
-    let (value, scale) = (cubic.value_at(cut).value, cubic.value_at(Dual::from_base(length)).value);
-    if !inside(cut.value) || value.abs() > (c0.abs() + scale.abs()).times(0.2) {
+    let (value, end) = (cubic.value_at(cut).value, cubic.value_at(Dual::from_base(length)).value);
+    let near = value.abs() / ((c0.abs() + end.abs()).times(NEAR_ZERO) + F::TINY);
+    let share = (F::constant(2.0) - near).clamped(F::zero(), F::one());
+    let bend = c2.times(2.0) + (c3 * cut.value).times(6.0);
+    if !(share > F::zero() && cut.value > F::zero() && cut.value < length && bend != F::zero()) {
         return cut;
     }
-    for _ in 0..4 {
-        let [value, slope] = exact(Dual::from_base(cut.value)).map(|x| x.value);
-        let bend = c2.times(2.0) + (c3 * cut.value).times(6.0);
-        let next = cut.value - slope / bend;
-        if (value * bend).times(2.0) >= slope * slope || value * bend <= F::zero() || !inside(next)
-        {
-            break;
+    // rises through the extreme
+    let steepness = |t: F| {
+        let [_, slope] = exact(Dual::from_base(t));
+        if bend < F::zero() { -slope.value } else { slope.value }
+    };
+    let from = cut.value;
+    let reach = (bend / c3).abs().times(1.0 / 12.0).min(length);
+    let mut before = steepness(from);
+    let mut t =
+        if before < F::zero() { (from + reach).min(length) } else { (from - reach).max(F::zero()) };
+    let mut slope = steepness(t);
+    if (before < F::zero()) != (slope < F::zero()) {
+        let close = length * F::of(CLOSE).max(F::EPSILON.times(8.0));
+        let mut last = from;
+        let mut bracket = Bracket { negative: from, positive: from };
+        for (place, slope) in [(from, before), (t, slope)] {
+            bracket.narrow(place, slope);
         }
-        cut.value = next;
+        for _ in 0..ROUNDS {
+            let ahead = slope * ((t - last) / (slope - before));
+            if !ahead.is_finite_number() || ahead.abs() <= close {
+                break;
+            }
+            (last, before, t) = (t, slope, bracket.guarded(t - ahead));
+            slope = steepness(t);
+            bracket.narrow(t, slope);
+        }
     }
+    cut.value = from + (t - from) * share;
     cut
 }
 

@@ -56,8 +56,9 @@ pub(super) fn layout<F: Float, const N: usize>(
     let more = further.squared() / further.squared().plus(HALF_OF_MORE);
     let count = more.scale(most - count).shift(count);
     let inverse = count / total.shift(F::TINY);
-    // what is narrower than rounding, of lengths or of places, is left out
-    let least = (F::one() + far * inverse.value) * F::EPSILON.times(64.0);
+    // what is narrower than the rounding of places is left out; shares round too
+    let rounding = F::EPSILON.times(64.0);
+    let (narrow, least) = (far * rounding, (F::one() + far * inverse.value) * rounding);
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
     // where the next stretch begins, in cells: two of them meet in the middle
     let half = count.times(0.5);
@@ -65,36 +66,43 @@ pub(super) fn layout<F: Float, const N: usize>(
     let middle = if whole < half.value { whole + F::one() } else { whole };
     let mut begin = Dual::from_base(middle) - half;
     let mut cell = 0_i32;
-    let mut add = |from: &Cut<F, N>, to: &Cut<F, N>, cell: i32| {
+    let mut add = |from: &Cut<F, N>, to: &Cut<F, N>, cell: i32, exact: Dual<F, N>| {
         let share = to.at - from.at;
-        if share.value > least {
+        let share = if share.value > least { share } else { exact };
+        let width = to.place - from.place;
+        if share.value > F::zero() && width.value > narrow {
             let y = (from.place + to.place).times(0.5);
-            let width = to.place - from.place;
             let _ = list.push(Cell::at_place([y, width, share], cell, from.zone as u32));
         }
     };
+    // of a zone that has no cut
+    let mut whole = zero;
     let mut last = own;
     zones.stretches(&mut |zone, stretch| {
         if zone != own.zone {
-            add(&own, &last, cell);
+            add(&own, &last, cell, whole);
             own = Cut { place: stretch.from, at: begin, zone };
+            whole = zero;
             cell = F::whole(begin.value + least).saturating_add(1);
         }
-        let end = begin + stretch.integral() * inverse;
+        let own_share = stretch.integral() * inverse;
+        let end = begin + own_share;
+        whole += own_share;
         loop {
             let next = Dual::from_base(F::widened(cell as f32));
             if !(next.value < end.value - least) || own.at.value >= next.value {
                 break;
             }
             let cut = Cut { place: stretch.place((next - begin) / inverse), at: next, zone };
-            add(&own, &cut, cell);
+            add(&own, &cut, cell, zero);
             own = cut;
+            whole = zero;
             cell = cell.saturating_add(1);
         }
         begin = end;
         last = Cut { place: stretch.to, at: end, zone };
     });
-    add(&own, &last, cell);
+    add(&own, &last, cell, whole);
     (total, lobes.value.times(OF_LOBE) <= count.value)
 }
 
