@@ -98,18 +98,19 @@ esac
 say "compiler: $compiler"
 
 # build <name> <RUSTFLAGS> <further arguments of cargo rustc>: $out/<name>.a
+# (in a target directory of its own, which cargo locks for it alone)
 build() {
     name=$1 flags=$2
     shift 2
     if [ $way = rustup ]; then
         RUSTFLAGS="$flags" cargo rustc --locked --release --lib --crate-type staticlib --target $triple \
-            --features panic-handler "$@" >"$out/$name.log" 2>&1
+            --target-dir "$out" --features panic-handler "$@" >"$out/$name.log" 2>&1
     else
         RUSTFLAGS="$flags" RUSTC_BOOTSTRAP=1 RUSTC=$debian_rustc cargo rustc --release --lib \
-            --crate-type staticlib -Z build-std=core --target $triple --features panic-handler "$@" \
+            --crate-type staticlib -Z build-std=core --target $triple --target-dir "$out" --features panic-handler "$@" \
             >"$out/$name.log" 2>&1
     fi || { tail -n 30 "$out/$name.log"; fail "build of $name"; }
-    cp "$target_dir/$triple/release/libkstrip.a" "$out/$name.a"
+    cp "$out/$triple/release/libkstrip.a" "$out/$name.a"
 }
 
 # The version for this machine, to compare with.

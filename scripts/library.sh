@@ -54,11 +54,12 @@ folder=${1:-$CARGO_TARGET_DIR/${TARGET:+$TARGET/}lib}
 # The binary interface: its first number is in the name by which programs find the library.
 abi=$(sed -n '/^\[package.metadata.capi.library\]/,/^$/ s/^version = "\(.*\)"/\1/p' Cargo.toml)
 
+# (a cross build has a target directory of its own, which cargo locks for it alone)
 # shellcheck disable=SC2086
 "$CARGO" rustc --locked --release --lib --crate-type staticlib --features panic-handler \
-    --target-dir "$CARGO_TARGET_DIR" ${TARGET:+--target "$TARGET"} ${CARGO_FLAGS:-}
+    --target-dir "$CARGO_TARGET_DIR${TARGET:+/$TARGET}" ${TARGET:+--target "$TARGET"} ${CARGO_FLAGS:-}
 mkdir -p "$folder"
-localize "$CARGO_TARGET_DIR/${TARGET:+$TARGET/}release/libkstrip.a" "$folder/libkstrip.a"
+localize "$CARGO_TARGET_DIR/${TARGET:+$TARGET/$TARGET/}release/libkstrip.a" "$folder/libkstrip.a"
 
 # names FULL SHORT PLAIN: the usual links
 names() { ln -sf "$1" "$folder/$2" && ln -sf "$2" "$folder/$3"; }

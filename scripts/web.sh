@@ -36,11 +36,12 @@ by_rustup() {
     [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ] || timeout 120 rustup target add $triple > "$out/rustup.log" 2>&1
 }
 debian=/usr/bin/rustc
+# (in a target directory of its own, which cargo locks for it alone)
 if by_rustup; then
-    "$CARGO" rustc --locked --release --lib --crate-type staticlib --no-default-features --features $features --target $triple --target-dir "$CARGO_TARGET_DIR"
+    "$CARGO" rustc --locked --release --lib --crate-type staticlib --no-default-features --features $features --target $triple --target-dir "$out"
 elif [ -d "$($debian --print sysroot 2> /dev/null)/lib/rustlib/src/rust/library/core" ]; then
     RUSTC_BOOTSTRAP=1 RUSTC=$debian "$CARGO" rustc --release --lib --crate-type staticlib --no-default-features --features $features -Z build-std=core \
-        --target $triple --target-dir "$CARGO_TARGET_DIR"
+        --target $triple --target-dir "$out"
 else
     skip "the page, because there is no Rust for $triple: rustup target add $triple, or apt-get install rustc-web rust-web-src lld"
 fi
@@ -53,5 +54,5 @@ for name in $exports; do flags="$flags --export=kstrip_$name"; done
 # (the stack lies below all data, so that its overflow is a trap)
 # shellcheck disable=SC2086
 "$linker" --no-entry --gc-sections --strip-all --stack-first -z stack-size=1048576 --export=__heap_base $flags \
-    "$CARGO_TARGET_DIR/$triple/release/libkstrip.a" -o "$out/kstrip.wasm"
+    "$out/$triple/release/libkstrip.a" -o "$out/kstrip.wasm"
 "$PYTHON" web/assemble.py "$out/kstrip.wasm" "$out/index.html"
