@@ -1320,20 +1320,20 @@ typedef struct kstrip_profile_result {
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Separate zones of contact become lobes. The results are continuous in load, approach and
- * distances: zones appear with zero width, grow and merge. The stiffness is the derivative of the
- * computed load. The approach counts from the lowest point of the smoothed profile: it has a kink
- * where another point becomes the lowest, and approach + lowest has none. A zone that reaches an
- * end of the profile ends there, as if the bodies ended. The time is bounded.
+ * Zones of contact become lobes, which begin with zero width, grow and merge. The results are
+ * continuous in distances and approach, and in the load unless it falls with the approach (rough
+ * profiles). The stiffness is the derivative of the computed load. The approach counts from the
+ * lowest point of the smoothed profile: it has a kink where another point becomes the lowest.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
  * @param[out] result     receives approach, peak pressure and load; NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
- *         KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_NORMAL_FORCE,
- *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
- *         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+ * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
+ *         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS,
+ *         KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO,
+ *         KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT,
+ *         KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
                                         const struct kstrip_profile_contact *contact,

@@ -202,7 +202,7 @@ impl<F: Float> WheelContact<F> {
         for (strip, ((own_y, own_z), own_angle)) in
             self.patch.strips.iter_mut().take(count).zip(places)
         {
-            let [_, _, x, y, z, angle, _] = view.at(strip.y);
+            let [x, y, z, angle] = view.at(strip.y);
             (*own_y, *own_z, *own_angle) = (y, z, angle);
             (lowest, highest) = (lowest.min(angle), highest.max(angle));
             let (sine, cosine) = sine_cosine(angle);

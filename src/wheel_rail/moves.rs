@@ -46,8 +46,8 @@ pub(super) struct PointMoves<'a, F> {
 struct Under<F> {
     cosine: F,
     sine: F,
-    /// Normal of the wheel.
-    normal: [F; 2],
+    /// Mean of its angle and the wheel's.
+    angle: F,
     /// Change of its length for a motion along it.
     along: F,
     /// Change of its angle for a change of its length.
@@ -87,16 +87,12 @@ impl<'a, F: Float> PointMoves<'a, F> {
         let bend = z.bend * cosine - y.bend * sine;
         let along = self.rail.step * size / (square + distance * bend);
         let curvature = bend * per_size / self.rail.step;
-        // the normals of both surfaces have the angle of the point in their middle
-        let (mean_sine, mean_cosine) = sine_cosine(angle);
-        let twice = (mean_cosine * cosine + mean_sine * sine).times(2.0);
-        let normal = [sine - twice * mean_sine, twice * mean_cosine - cosine];
-        Under { cosine, sine, normal, along, curvature }
+        Under { cosine, sine, angle, along, curvature }
     }
 
     /// By yaw: derivatives of x, y, z, of the wheel's angle, and of the rolling radius.
     fn by_yaw(&self, [_, _, x, y, z, _, rolling_radius]: [F; 7], under: &Under<F>) -> [F; 5] {
-        let [normal_y, normal_z] = under.normal;
+        let [normal_y, normal_z] = under.normal_of_wheel();
         let [n_x, n_y, n_z] = self.turn.to_wheelset([F::zero(), normal_y, normal_z]);
         let [ahead, across, below] = self.turn.to_wheelset([x, y, z]);
         let (radius, cosine) = (length(ahead, below), length(n_x, n_z));
@@ -137,6 +133,7 @@ impl<'a, F: Float> PointMoves<'a, F> {
     }
 
     /// Derivatives of the members of a point in a direction.
+    #[inline]
     pub fn in_direction(&self, k: usize, direction: usize) -> [F; 7] {
         let members = self.members(k);
         let under = self.under(members);
@@ -148,6 +145,14 @@ impl<'a, F: Float> PointMoves<'a, F> {
 }
 
 impl<F: Float> Under<F> {
+    /// The normals of both surfaces have the angle of the point in their middle.
+    fn normal_of_wheel(&self) -> [F; 2] {
+        let Self { cosine, sine, angle, .. } = *self;
+        let (mean_sine, mean_cosine) = sine_cosine(angle);
+        let twice = (mean_cosine * cosine + mean_sine * sine).times(2.0);
+        [sine - twice * mean_sine, twice * mean_cosine - cosine]
+    }
+
     /// Derivatives of length and distance by the motion of the point above.
     fn moves(&self, [dy, dz]: [F; 2]) -> [F; 2] {
         let Self { cosine, sine, along, .. } = *self;
@@ -156,7 +161,7 @@ impl<F: Float> Under<F> {
 
     /// The same where another point of the wheel comes to this length, or else to this distance.
     fn held(&self, [moved, lifted]: [F; 2], length: bool) -> [F; 2] {
-        let [normal_y, normal_z] = self.normal;
+        let [normal_y, normal_z] = self.normal_of_wheel();
         let [along, rises] = self.moves([normal_z, -normal_y]);
         if length {
             [F::zero(), lifted - rises * moved / along]

@@ -80,24 +80,48 @@ impl<'a, F: Float> View<'a, F> {
         PointMoves::new(self.lists, rail, &self.position, left != 0, reach)
     }
 
-    /// The members of the gap at a place, straight between the points.
-    pub fn at(&self, place: F) -> [F; 7] {
+    /// `x`, `y`, `z` and the angle of the gap at a place, on cubics with the slopes of the
+    /// parabolas through three points: their derivatives are continuous too.
+    ///
+    /// ```text
+    /// p = p₁ + u (p₂ − p₁) − u (1 − u) h² ((1 − u) D₁ + u D₂)
+    /// D₂ = (p₃ − p₂ − (p₂ − p₁) d/h)/((h + d) max(d, h/4)),   d = s₃ − s₂,   D₁ likewise
+    /// ```
+    ///
+    /// The last of the points, beside which there is none, counts twice: `D` is 0 there, and grows
+    /// with the distance `d` of a point that comes.
+    pub fn at(&self, place: F) -> [F; 4] {
         let [along, ..] = self.lists;
         let last = along.len().saturating_sub(1);
         let next = along.partition_point(|along| *along < place).min(last).max(1);
-        let [before, after] = [next - 1, next].map(|k| self.point(k));
-        let ([from, ..], [to, ..]) = (before, after);
-        let share = ((place - from) / (to - from + F::TINY)).clamped(F::zero(), F::one());
-        between(before, after, share)
+        let [(from, before), (to, after)] = [next - 1, next].map(|k| self.point(k));
+        let beside = [next.saturating_sub(2), (next + 1).min(last)].map(|k| self.point(k));
+        let length = to - from + F::TINY;
+        let share = ((place - from) / length).clamped(F::zero(), F::one());
+        let mut members = between(before, after, share);
+        let size = share * (F::one() - share) * length * length;
+        let ends = [(from, before, after, F::one() - share), (to, after, before, share)];
+        for ((place, outer), (end, near, far, weight)) in beside.into_iter().zip(ends) {
+            let distance = (place - end).abs();
+            let weight = size * weight / ((length + distance) * distance.max(length.times(0.25)));
+            let ratio = distance / length;
+            for ((own, outer), (near, far)) in
+                members.iter_mut().zip(outer).zip(near.into_iter().zip(far))
+            {
+                *own -= weight * (outer - near - (near - far) * ratio);
+            }
+        }
+        members
     }
 
-    /// The members of a point, where it has moved.
-    fn point(&self, k: usize) -> [F; 7] {
+    /// Length, and these members, of a point where it has moved.
+    fn point(&self, k: usize) -> (F, [F; 4]) {
         let mut members = self.lists.map(|list| at(list, k));
         if let Some((moves, direction, step)) = &self.moved {
             add(&mut members, moves.in_direction(k, *direction).map(|slope| *step * slope));
         }
-        members
+        let [along, _, x, y, z, angle, _] = members;
+        (along, [x, y, z, angle])
     }
 
     /// Where a point of the wheel is over the rail.

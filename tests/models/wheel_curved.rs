@@ -70,7 +70,7 @@ fn derivatives_are_those_of_differences() {
         let members = |contacts: &[WheelContact<f64>], velocity: &Velocity<f64>| {
             of_contacts(contacts, velocity, law, None).unwrap().members()
         };
-        for speed in [20.0, 2.0, 0.03, 0.0, -0.02, -5.0] {
+        for speed in [20.0, 2.0, 0.03, 0.0, -0.02, -4.0] {
             let velocity = rolling(speed);
             let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
             of_contacts(contacts, &velocity, law, Some(&mut slopes)).unwrap();
