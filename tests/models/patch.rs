@@ -564,7 +564,9 @@ fn patches_have_their_order_and_capacity() {
     assert!(of(&[]).unwrap().strips.is_empty());
     let next = PatchStrip { y: 1e-3, ..good };
     assert_eq!(of(&[next, good]).unwrap().strips.as_slice(), [good, next]);
-    let overlap = PatchStrip { y: 0.4e-3, ..good };
+    let near = PatchStrip { y: 0.51e-3, ..good };
+    assert_eq!(of(&[near, good]).unwrap().strips.as_slice(), [good, near]);
+    let overlap = PatchStrip { y: 0.49e-3, ..good };
     for (strips, error) in [
         (vec![good, overlap], Error::StripOrder),
         (vec![good; 2], Error::StripOrder),

@@ -252,6 +252,8 @@ fn profiles_end_where_they_end() {
         let contact = ProfileContact { given, ..good };
         let (empty, found) = Full::from_profile(&profile, &contact, SIXTEEN).unwrap();
         assert!(empty.strips.is_empty() && found.normal_force == 0.0, "{found:?}");
+        // (in the middle of the profile)
+        assert_eq!(found.peak_y, 0.5 * (y[0] + y[y.len() - 1]));
     }
 }
 

@@ -145,14 +145,20 @@ fn off(one: &Wrench<f64>, two: &Wrench<f64>) -> f64 {
 
 #[test]
 fn a_share_of_own_slip_that_fades_leaves_a_plane_contact() {
-    let with = |share: f64| {
-        let mut contacts = contacts(3e-3, false);
-        contacts.iter_mut().for_each(|contact| contact.own = share);
-        of_contacts(&contacts, &rolling(20.0), STRIP, None).unwrap()
-    };
-    let (plane, own) = (with(0.0), with(0.8));
-    assert!(off(&plane, &own) > 0.002, "{}", off(&plane, &own));
-    assert!(off(&plane, &with(1e-9)) < 1e-9);
+    // over a rail at rest, and over one that moves in all directions of its surface
+    for [slip_x, slip_y, spin_rate] in [[0.0; 3], [-0.02, 0.01, 0.3]] {
+        let with = |share: f64| {
+            let mut contacts = contacts(3e-3, false);
+            contacts.iter_mut().for_each(|contact| {
+                contact.own = share;
+                contact.at_rest = Motion { slip_x, slip_y, spin_rate, ..contact.at_rest };
+            });
+            of_contacts(&contacts, &rolling(20.0), STRIP, None).unwrap()
+        };
+        let (plane, own) = (with(0.0), with(0.8));
+        assert!(off(&plane, &own) > 0.002, "{}", off(&plane, &own));
+        assert!(off(&plane, &with(1e-9)) < 1e-9);
+    }
 }
 
 /// Creepages of strips that are those of a rigid motion give the forces of that motion, and so do

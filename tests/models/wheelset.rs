@@ -362,6 +362,27 @@ fn a_coned_wheelset_has_the_wave_of_klingel() {
     }
 }
 
+/// The wave of a wheelset whose middle is elsewhere is the same, also where the shifts just reach.
+#[test]
+fn conicity_does_not_depend_on_where_shifts_are_counted_from() {
+    // difference of radii of a cone that grows steeper outward
+    let difference = |y: f64| 0.1 * y * (1.0 + (y / 4e-3).powi(2));
+    let wave = |from: f64, count: i32, amplitude: f64| {
+        let around: Vec<f64> = (-count..=count).map(|k| 0.5e-3 * f64::from(k)).collect();
+        let shifts: Vec<f64> = around.iter().map(|y| y + from).collect();
+        let differences: Vec<f64> = around.into_iter().map(difference).collect();
+        RadiusDifference::new(&shifts, &differences).unwrap().wave(amplitude, 1.5, 0.46).unwrap()
+    };
+    for (count, amplitude) in [(6, 3e-3), (12, 3e-3), (8, 4e-3)] {
+        let known = wave(0.0, count, amplitude);
+        for from in [1e-3, -2.5e-3, 7e-3] {
+            let found = wave(from, count, amplitude);
+            assert_relative_eq!(found.conicity, known.conicity, max_relative = 1e-9);
+            assert_relative_eq!(found.length, known.length, max_relative = 1e-9);
+        }
+    }
+}
+
 /// S1002 on 60E1, 120 kN: the curve in which a wheelset 1 mm from the middle has no yaw moment.
 #[test]
 fn conicity_under_load_is_that_of_zero_moment() {
