@@ -19,6 +19,22 @@ fn agrees_with_the_fit() {
     }
 }
 
+/// Beyond axis ratios of 1/1000 and 1000 the formulas are those of these.
+#[test]
+fn axis_ratios_count_up_to_their_limits() {
+    for limit in [1e-3_f64, 1e3] {
+        let linear = LinearCoefficients::at(limit, 0.28);
+        let at = |power: f64| {
+            let ratio = limit.powf(power);
+            let Totals { fx, fy, mz, .. } =
+                Total::new(ratio, 0.28, &linear).mean_totals([0.3, 0.2, 0.05]);
+            [fx, fy, mz]
+        };
+        assert_eq!(at(1.2), at(1.0), "{limit}");
+        assert_ne!(at(0.99), at(1.0), "{limit}");
+    }
+}
+
 /// Central differences from both sides agree better and better with smaller steps: no kink where
 /// creepages or spin change sign, nor where the saturation curve ends.
 #[test]
