@@ -109,7 +109,7 @@ fn place_strips<F: Float>(
 ) {
     let rule = Rule::<F>::new(count);
     let mut places = rule.places();
-    strips.each_strip(creepage, &mut |carried, area| {
+    strips.each_strip(creepage, &mut |carried| {
         let Some([y, c, width]) = places.next() else { return };
         let Totals { fx, fy, mz, stick } = carried;
         visit(PlacedStrip {
@@ -122,7 +122,6 @@ fn place_strips<F: Float>(
             fx,
             fy,
             mz,
-            stick: area * stick,
         });
     });
 }

@@ -259,9 +259,9 @@ impl<F: Real> EllipseStrips<F> {
         add(sums.as_flattened_mut(), shares);
     }
 
-    /// The forces of each strip, divided by the contact's friction bound, with its share of the
-    /// area, ascending in `y`. Their sum is the result of [`EllipseStrips::totals_of_strips`].
-    pub fn each_strip(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>, F))
+    /// The forces of each strip, divided by the contact's friction bound, ascending in `y`. Their
+    /// sum is the result of [`EllipseStrips::totals_of_strips`].
+    pub fn each_strip(&self, creepage: [F; 3], mut take: impl FnMut(Totals<F>))
     where
         F: Float,
     {
@@ -275,16 +275,15 @@ impl<F: Real> EllipseStrips<F> {
             let fields = fields(|of, odd| of_side::<F>(of(four), lane, odd));
             let seen = strips.seen(&fields);
             let StripForces { fx, fy, mx, stick } = alone(&seen, &strips.spin, lane & 1 == 1);
-            let [.., load, load_c, load_y, area, _] = fields;
+            let [.., load, load_c, load_y, _, _] = fields;
             let Flexibilities { root, upright, .. } = self.contact;
             let mz = mx * load_c * root - fx * load_y * upright;
-            let found = Totals {
+            take(Totals {
                 fx: fx * load + load * (whole.fx - sums.fx),
                 fy: fy * load + load * (whole.fy - sums.fy),
                 mz: mz + load * (whole.mz - sums.mz),
                 stick,
-            };
-            take(found, area);
+            });
         };
         let count = self.rule.fours.len();
         // [Y₀, Y₁, −Y₀, −Y₁] with Y₀ > Y₁; the fours begin in the middle.

@@ -14,7 +14,6 @@ use crate::strip_1967::integrals::Shares;
 use crate::strip_1967::reduced::ReducedCreepage;
 use crate::strip_1967::strip::{SlidingRule, adhesion_length, adhesion_regime, spin_within};
 use crate::strip_1967::totals;
-use core::f64::consts::PI;
 use heapless::Vec;
 
 /// Largest number of strips.
@@ -40,8 +39,6 @@ pub struct PlacedStrip<T> {
     pub fy: T,
     /// Its share of `M_z/(μ N √(ab))`, about the centre of the contact.
     pub mz: T,
-    /// Its share of the stick area.
-    pub stick: T,
 }
 
 /// Every strip, handed to `visit`, ascending in `y`.
@@ -56,22 +53,19 @@ pub fn visit_strips<F: Float>(
     let (arc, _) = edge::adhesion(&motion);
     let (count, zero) = (count as usize, F::zero());
     let width = F::of(2.0) / F::widened(count as f32);
-    let Totals { fx, fy, mz, stick } = totals(parameters, rule);
-    let mut rest = [fx, fy, mz, stick];
+    let Totals { fx, fy, mz, .. } = totals(parameters, rule);
+    let mut rest = [fx, fy, mz];
     let arm = axis_ratio.sqrt();
     let arms = [arm * motion.turned_y, motion.turned_y / arm];
-    let mut pieces: Vec<[F; 4], CAPACITY> = Vec::new();
-    let mut sticks = F::TINY;
+    let mut pieces: Vec<[F; 3], CAPACITY> = Vec::new();
     let mut from = Edge { y: -F::one(), c: zero };
     let mut next = F::zero();
     for _ in 0..count {
         next += F::one();
         let to = Edge::at(width * next - F::one());
-        let [fx, fy, mx, lever, stick] = forces_between(&motion, &arc, from, to);
+        let [fx, fy, mx, lever, _] = forces_between(&motion, &arc, from, to);
         let mz = mx * arms[0] - lever * arms[1];
-        let piece = [fx * motion.turned_x, fy * motion.turned_y, mz, stick.times(8.0 / (3.0 * PI))];
-        let piece = piece.map(|share| share.times(0.75));
-        sticks += piece[3];
+        let piece = [fx * motion.turned_x, fy * motion.turned_y, mz].map(|share| share.times(0.75));
         add(&mut rest, piece.map(|share| -share));
         // There is room for the largest count.
         let _ = pieces.push(piece);
@@ -79,16 +73,14 @@ pub fn visit_strips<F: Float>(
     }
     // The strips of a mirrored motion come in the opposite order.
     let mirrored = motion.turned_x * motion.turned_y < zero;
-    // The difference is distributed in proportion to ∫ C² dY, that of the stick area in proportion
-    // to the stick area.
-    let [more_x, more_y, more_z, more_stick] = rest;
-    let sticking = more_stick / sticks + F::one();
+    // The difference is distributed in proportion to ∫ C² dY.
+    let [more_x, more_y, more_z] = rest;
     let (slope, spin) = (parameters.spin_slope(), spin_within(psi));
     let curved = F::one() - (width * width).times(1.0 / 12.0);
     let mut middle = F::of(0.5);
     for i in 0..count {
         let place = if mirrored { count - 1 - i } else { i };
-        let Some([fx, fy, mz, stick]) = pieces.get(place) else { return };
+        let Some([fx, fy, mz]) = pieces.get(place) else { return };
         let y = width * middle - F::one();
         middle += F::one();
         // ∫ C² dY, divided by its total 4/3.
@@ -106,7 +98,6 @@ pub fn visit_strips<F: Float>(
             fx: *fx + more_x * load,
             fy: *fy + more_y * load,
             mz: *mz + more_z * load,
-            stick: *stick * sticking,
         });
     }
 }
