@@ -56,7 +56,8 @@ pub(super) fn layout<F: Float, const N: usize>(
     let more = further.squared() / further.squared().plus(HALF_OF_MORE);
     let count = more.scale(most - count).shift(count);
     let inverse = count / total.shift(F::TINY);
-    // what is narrower than the rounding of places is left out; shares round too
+    // What is narrower than the rounding of places is left out. A share that is a difference rounds
+    // by `least`: that of a zone without a cut is the integral itself.
     let rounding = F::EPSILON.times(64.0);
     let (narrow, least) = (far * rounding, (F::one() + far * inverse.value) * rounding);
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };

@@ -13,7 +13,6 @@ const COARSE: usize = 32;
 
 /// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
-
 /// Least cosine of a rail's angle: a side that leans back by more, and what is below it, is left
 /// out.
 pub(super) const UNDERCUT: f64 = -1.0 / 3.0;

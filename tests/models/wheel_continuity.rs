@@ -208,8 +208,7 @@ fn nothing_jumps_by_more_than_rounding() {
 }
 
 /// Wheels on profiles with noise of 20 um where a crest that hardly rises out of a zone divides it,
-/// and where a sliver begins beside a contact. (By a crest that was not found and by a sliver that
-/// was left out, forces stepped there by .011, .022 and 1.3e-5 of the load.)
+/// and where a sliver begins beside a contact.
 #[test]
 fn divided_zones_and_slivers_do_not_jump() {
     let noisy =
