@@ -250,7 +250,7 @@ compiled_for!(avx, "avx", Contacts, one_by_one);
 compiled_for!(avx512, "avx,avx512f,avx512dq", WideContacts, avx);
 
 /// The first of the contacts, and the end of those that fill groups.
-#[inline(always)]
+#[inline]
 fn whole_groups(numbers: &Range<usize>, count: usize) -> (usize, usize) {
     let Range { start, end } = *numbers;
     (start, end - (end - start) % count)
@@ -351,7 +351,7 @@ where
         Self { quantities: [fx, fy, mz, power, adhesion], notices }
     }
 
-    #[inline(always)]
+    #[inline]
     fn solution_of(&self, k: usize) -> Solution<L::Stored> {
         let [fx, fy, mz, power, adhesion] = self.quantities.each_ref().map(|of| of.lane(k));
         let warning = self.notices.get(k).copied().unwrap_or_default();

@@ -105,7 +105,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
 
     /// The linear theory: half-spaces and bristles at rest, `F` in newtons for creepages that were
     /// checked. Sliding does nothing.
-    #[inline(always)]
+    #[inline]
     fn linear<T: Number<Base = F>>(
         &self,
         [x, y, coupling, z]: [F; 4],
@@ -130,7 +130,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
 impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
     const MODEL: Model = M::MODEL;
 
-    #[inline(always)]
+    #[inline]
     fn of_contact(frame: &ScaledContact<F>, options: &Options) -> Self {
         Self::new(frame, options, Interface { layer: F::zero(), slide: F::one() })
     }

@@ -333,7 +333,7 @@ impl<F: Float> Rates<F> {
 }
 
 impl<B: Arithmetic<Value = B>> SlidingPoint<B> {
-    #[inline(always)]
+    #[inline]
     fn new(x: B, bound: B, grows: B, moves: B) -> Self {
         let bound = bound.max(B::constant(LEAST));
         let per_bound = B::constant(1.0) / bound;

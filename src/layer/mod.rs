@@ -145,7 +145,7 @@ impl<F: Real> Layer<F> {
     }
 
     /// Moments of bristles at rest over those of half-spaces, by lateral creepage and by spin.
-    #[inline(always)]
+    #[inline]
     pub fn moments(&self) -> [F; 2] {
         let LinearCoefficients { c22, c23, c33, .. } = self.linear;
         let root = self.root;
@@ -238,7 +238,7 @@ impl<F: Real> Layer<F> {
         [fx, fy, mx * (c * self.root) - fx * (place * upright), stick]
     }
 
-    #[inline(always)]
+    #[inline]
     fn values(&self, rates: [F; 3]) -> [F; 4] {
         with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> [F; 4] {
             if cfg!(target_os = "none") {
@@ -251,7 +251,7 @@ impl<F: Real> Layer<F> {
         })
     }
 
-    #[inline(always)]
+    #[inline]
     fn slopes(&self, rates: [F; 3]) -> RateSlopes<F> {
         with_avx!(if F::LANES => <F: Real>(
             layer: &Layer<F> = self, rates: [F; 3]

@@ -275,7 +275,7 @@ fn stored<F: Float, const N: usize, const STORED: usize>(x: Dual<F, N>) -> Dual<
 }
 
 impl<F: Float, const N: usize> CellEdges<F, N> {
-    #[inline(always)]
+    #[inline]
     fn new<const ALL: usize>(cell: &Cell<F, ALL>) -> Self {
         let (y, a): (Dual<F, N>, Dual<F, N>) = (stored(cell.y), stored(cell.half_length));
         let half = stored::<_, ALL, N>(cell.width).times(0.5);
@@ -356,7 +356,7 @@ impl<F: Float, const N: usize> Across<F, N> {
 
     /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
     /// edge is as far as the other's upper edge.
-    #[inline(always)]
+    #[inline]
     fn fill<E: StripEdge, const ALL: usize>(
         &mut self,
         edges: &CellEdges<F, N>,

@@ -84,7 +84,7 @@ impl<F: Float, const N: usize> Stretch<F, N> {
 
 impl<F: Float, const N: usize> Zones<F, N> {
     /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length.
-    #[inline(always)]
+    #[inline]
     pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
         let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
         let (list, places, variation) = (Vec::new(), Vec::new(), Dual::zero());

@@ -32,7 +32,7 @@ pub(crate) struct Equations<F, const N: usize, const ROOM: usize> {
 }
 
 impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
-    #[inline(always)]
+    #[inline]
     pub(super) fn new() -> Self {
         Self { rows: Vec::new() }
     }
@@ -45,7 +45,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     }
 
     /// Sets how far the pressure of cell `j` deflects each cell.
-    #[inline(always)]
+    #[inline]
     pub(super) fn set_column(&mut self, j: usize, entries: impl Iterator<Item = Dual<F, N>>) {
         for (row, entry) in self.rows.iter_mut().zip(entries) {
             set_at(&mut row.influence, j, entry.value);
@@ -123,7 +123,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     }
 
     /// Adds what the derivatives of the influence of cell `j` on cell `i` deflect.
-    #[inline(always)]
+    #[inline]
     pub(super) fn add_slopes(&mut self, i: usize, j: usize, slopes: &[F], pressure: F) {
         let Some(row) = self.rows.get_mut(i) else { return };
         for (sums, slope) in row.influence.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
@@ -196,7 +196,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
 }
 
 /// `Σ x_i y_i` over some of the fours, in four sums.
-#[inline(always)]
+#[inline]
 fn product<F: Float>(x: &[F], y: &[F], fours: Range<usize>) -> F {
     let [x, y] = [x, y].map(|list| list.as_chunks::<4>().0.get(fours.clone()).unwrap_or(&[]));
     let mut sums = [F::zero(); 4];
@@ -208,7 +208,7 @@ fn product<F: Float>(x: &[F], y: &[F], fours: Range<usize>) -> F {
     total(&sums)
 }
 
-#[inline(always)]
+#[inline]
 fn total<F: Float>([a, b, c, d]: &[F; 4]) -> F {
     (*a + *c) + (*b + *d)
 }

@@ -29,7 +29,7 @@ struct Moving<'a, F> {
 }
 
 impl<'a, F: Float> Moving<'a, F> {
-    #[inline(always)]
+    #[inline]
     fn new(profile: &'a Profile<'a, F>, points: &'a dyn Moves<F>, length: F) -> Self {
         let [full, none] = profile.fade.unwrap_or([F::zero(); 2]);
         Self {
@@ -43,7 +43,7 @@ impl<'a, F: Float> Moving<'a, F> {
     }
 
     /// The place of a point, and its distance above the lowest point, which does not move.
-    #[inline(always)]
+    #[inline]
     fn point(&self, k: usize) -> [Directed<F>; 2] {
         let Profile { y, distance, lowest, .. } = self.profile;
         let k = k.min(y.len().saturating_sub(1));
@@ -63,7 +63,7 @@ impl<'a, F: Float> Moving<'a, F> {
         [Dual { value: at(y, k), gradient: moved }, Dual { value: height, gradient: lifted }]
     }
 
-    #[inline(always)]
+    #[inline]
     fn place(&self, k: usize) -> Directed<F> {
         let [place, _] = self.point(k);
         place

@@ -25,7 +25,7 @@ fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T;
 
 #[cfg(not(target_arch = "x86_64"))]
 impl<F: super::traits::Float> super::traits::InRegisters for F {
-    #[inline(always)]
+    #[inline]
     fn roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
         if let [first, second] = &mut a[..] {
             [*first, *second] = F::two_roots([*first, *second]);
@@ -230,7 +230,7 @@ mod x86 {
                         _ => each_chosen(by, yes, no),
                     }
                 }
-                #[inline(always)]
+                #[inline]
                 fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
                     if N == $w {
                         return unsafe { $mask($compare::<_CMP_GT_OQ>(cast(a), cast(b))) != 0 };
@@ -240,7 +240,7 @@ mod x86 {
                     }
                     one_exceeds(a, b)
                 }
-                #[inline(always)]
+                #[inline]
                 fn all_between<const N: usize>(
                     a: [Self; N],
                     low: [Self; N],

@@ -33,12 +33,12 @@ impl<F: Real, const M: usize> Dual<F, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     /// A function of this number: its value, and its slope times the derivatives.
-    #[inline(always)]
+    #[inline]
     fn chain(self, value: P, slope: P) -> Self {
         Self { value, gradient: P::each(&self.gradient, |d| *d * slope) }
     }
 
-    #[inline(always)]
+    #[inline]
     fn combine(self, other: Self, value: P, by_self: P, by_other: P) -> Self {
         let mut gradient = self.gradient;
         for (own, other) in gradient.iter_mut().zip(other.gradient) {
@@ -48,7 +48,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     }
 
     /// `yes` where the test is positive, else `no`.
-    #[inline(always)]
+    #[inline]
     fn pick(test: P, yes: Self, no: Self) -> Self {
         let mut gradient = no.gradient;
         for (own, other) in gradient.iter_mut().zip(yes.gradient) {
@@ -61,7 +61,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
 macro_rules! sums {
     ($($operator:ident $function:ident $assigned:ident $assign:ident)*) => {$(
         impl<P: Arithmetic<Value = P>, const M: usize> $assigned for Dual<P, M> {
-            #[inline(always)]
+            #[inline]
             fn $assign(&mut self, other: Self) {
                 self.value.$assign(other.value);
                 for (own, other) in self.gradient.iter_mut().zip(other.gradient) {
@@ -72,7 +72,7 @@ macro_rules! sums {
 
         impl<P: Arithmetic<Value = P>, const M: usize> $operator for Dual<P, M> {
             type Output = Self;
-            #[inline(always)]
+            #[inline]
             fn $function(mut self, other: Self) -> Self {
                 self.$assign(other);
                 self
@@ -84,7 +84,7 @@ sums!(Add add AddAssign add_assign Sub sub SubAssign sub_assign);
 
 impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn mul(self, other: Self) -> Self {
         self.combine(other, self.value * other.value, other.value, self.value)
     }
@@ -92,7 +92,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let inverse = P::one() / other.value;
@@ -102,7 +102,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
-    #[inline(always)]
+    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, gradient: P::each(&self.gradient, |d| -*d) }
     }
@@ -146,16 +146,16 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
         let inverse = P::one() / self.value;
         self.chain(inverse, -(inverse * inverse))
     }
-    #[inline(always)]
+    #[inline]
     fn scale(self, factor: P) -> Self {
         self.chain(self.value * factor, factor)
     }
-    #[inline(always)]
+    #[inline]
     fn shift(mut self, term: P) -> Self {
         self.value += term;
         self
     }
-    #[inline(always)]
+    #[inline]
     fn squared(self) -> Self {
         self.chain(self.value * self.value, self.value + self.value)
     }
@@ -164,7 +164,7 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
         let root = self.value.sqrt();
         self.chain(root, P::constant(0.5) / root.max(P::tiny()))
     }
-    #[inline(always)]
+    #[inline]
     fn inverse_root(self) -> Self {
         let y = self.value.inverse_root();
         self.chain(y, (y * (y * y)).times(-0.5))
@@ -173,22 +173,22 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     fn abs(self) -> Self {
         Self::pick(-self.value, -self, self)
     }
-    #[inline(always)]
+    #[inline]
     fn max(self, other: Self) -> Self {
         Self::pick(self.value - other.value, self, other)
     }
-    #[inline(always)]
+    #[inline]
     fn min(self, other: Self) -> Self {
         Self::pick(other.value - self.value, self, other)
     }
-    #[inline(always)]
+    #[inline]
     fn choose(self, yes: Self, no: Self) -> Self {
         Self::pick(self.value, yes, no)
     }
 }
 
 impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
-    #[inline(always)]
+    #[inline]
     fn couple(first: Dual<F, M>, second: Dual<F, M>) -> Self {
         let mut gradient = [F::Pair::zero(); M];
         for (pair, (d, e)) in gradient.iter_mut().zip(first.gradient.iter().zip(second.gradient)) {
@@ -196,7 +196,7 @@ impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
         }
         Self { value: F::Pair::couple(first.value, second.value), gradient }
     }
-    #[inline(always)]
+    #[inline]
     fn parts(self) -> (Dual<F, M>, Dual<F, M>) {
         let (first, second) = self.value.parts();
         (
@@ -204,7 +204,7 @@ impl<F: Real, const M: usize> Pair<Dual<F, M>> for Dual<F::Pair, M> {
             Dual { value: second, gradient: F::each(&self.gradient, |slope| slope.parts().1) },
         )
     }
-    #[inline(always)]
+    #[inline]
     fn both(x: Dual<F, M>) -> Self {
         Self {
             value: F::Pair::both(x.value),
@@ -235,7 +235,7 @@ impl<F: Real, const M: usize> Number for Dual<F, M> {
         }
     }
     #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline(always)]
+    #[inline]
     fn add_rows_of_duals<const C: usize, const R: usize>(
         sums: &mut [[F; 4]; C],
         inputs: &[Self; R],

@@ -184,7 +184,7 @@ plain!(
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
 
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
+        #[inline]
         fn two_roots(of: [f32; 2]) -> [f32; 2] {
             avx::of_two(of)
         }
@@ -200,12 +200,12 @@ plain!(
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
         const HAS_ROWS: bool = true;
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
+        #[inline]
         fn as_stored<const C: usize>(row: &[f32; C]) -> Option<&[f32; C]> {
             Some(row)
         }
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
+        #[inline]
         fn rows_at_once<const C: usize, const R: usize>(
             start: &[f32; C],
             inputs: &[f32; R],
@@ -214,7 +214,7 @@ plain!(
             super::rows::sums(start, inputs, rows)
         }
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
+        #[inline]
         fn chains_at_once<const C: usize, const R: usize>(
             start: &[f32; C],
             inputs: &[f32; R],
@@ -223,7 +223,7 @@ plain!(
             super::rows::chains(start, inputs, rows)
         }
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline(always)]
+        #[inline]
         fn add_rows_beside<const C: usize, const R: usize>(
             sums: &mut [[f32; 4]; C],
             inputs: &[[f32; 4]; R],

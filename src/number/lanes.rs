@@ -50,7 +50,7 @@ macro_rules! operators {
         $(impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $assigned
             for Lanes<T, N, A>
         {
-            #[inline(always)]
+            #[inline]
             fn $assign(&mut self, other: Self) {
                 *self = self.$function(other);
             }
@@ -114,12 +114,12 @@ impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for L
 
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
 impl<T: InRegisters, const M: usize, A: Copy + Debug + 'static> InRegisters for Lanes<T, M, A> {
-    #[inline(always)]
+    #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         let mut pairs = a.into_iter().zip(b);
         pairs.any(|(a, b)| T::any_exceeds(a.numbers(), b.numbers()))
     }
-    #[inline(always)]
+    #[inline]
     fn all_between<const N: usize>(a: [Self; N], low: [Self; N], high: [Self; N]) -> bool {
         let mut all = a.into_iter().zip(low.into_iter().zip(high));
         all.all(|(a, (low, high))| T::all_between(a.numbers(), low.numbers(), high.numbers()))
@@ -167,7 +167,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
     fn ln_quotient(self, divisor: Self) -> Self {
         elementary::ln_quotient(self, divisor)
     }
-    #[inline(always)]
+    #[inline]
     fn ln_quotients<P: Strips<Self>>(x: P, divisor: Self) -> P {
         elementary::ln_quotients(x, divisor)
     }
@@ -175,7 +175,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
     fn atan_of_unit(self) -> Self {
         elementary::atan_of_unit(self)
     }
-    #[inline(always)]
+    #[inline]
     fn lies_between(self, low: Self, high: Self) -> bool {
         T::all_between(self.0, low.0, high.0)
     }
@@ -225,7 +225,7 @@ impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, 
         }
         Self(numbers, [])
     }
-    #[inline(always)]
+    #[inline]
     fn of_list(list: &[F::Stored]) -> Self {
         let mut numbers = [F::zero(); N];
         for (place, x) in numbers.iter_mut().zip(list) {
@@ -233,7 +233,7 @@ impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, 
         }
         Self(numbers, [])
     }
-    #[inline(always)]
+    #[inline]
     fn all(x: F) -> Self {
         Self([x; N], [])
     }
@@ -264,12 +264,12 @@ macro_rules! twice {
             fn gather(of: impl Fn(usize) -> F) -> Self {
                 Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))], [])
             }
-            #[inline(always)]
+            #[inline]
             fn of_list(list: &[F::Stored]) -> Self {
                 let (first, second) = list.split_at($count.min(list.len()));
                 Self([Strips::of_list(first), Strips::of_list(second)], [])
             }
-            #[inline(always)]
+            #[inline]
             fn all(x: F) -> Self {
                 Self([Strips::all(x); 2], [])
             }

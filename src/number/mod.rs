@@ -123,7 +123,7 @@ pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool
 const MANY: usize = 32;
 
 /// Adds numbers to their sums.
-#[inline(always)]
+#[inline]
 pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item = T>) {
     for (sum, number) in sums.iter_mut().zip(numbers) {
         *sum += number;
@@ -131,13 +131,13 @@ pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item
 }
 
 /// A number of a list; zero past its end.
-#[inline(always)]
+#[inline]
 pub(crate) fn at<F: Float>(list: &[F], k: usize) -> F {
     list.get(k).copied().unwrap_or(F::zero())
 }
 
 /// Numbers at a share of the way from some to others.
-#[inline(always)]
+#[inline]
 pub(crate) fn between<F: Float, const N: usize>(mut from: [F; N], to: [F; N], share: F) -> [F; N] {
     for (from, to) in from.iter_mut().zip(to) {
         *from += (to - *from) * share;
@@ -146,7 +146,7 @@ pub(crate) fn between<F: Float, const N: usize>(mut from: [F; N], to: [F; N], sh
 }
 
 /// Replaces a number of a list; past its end there is none.
-#[inline(always)]
+#[inline]
 pub(crate) fn set_at<F>(list: &mut [F], k: usize, value: F) {
     if let Some(place) = list.get_mut(k) {
         *place = value;
@@ -154,7 +154,7 @@ pub(crate) fn set_at<F>(list: &mut [F], k: usize, value: F) {
 }
 
 /// Adds to a number of a list.
-#[inline(always)]
+#[inline]
 pub(crate) fn add_at<T: Arithmetic>(list: &mut [T], k: usize, term: T) {
     if let Some(sum) = list.get_mut(k) {
         *sum += term;
@@ -162,7 +162,7 @@ pub(crate) fn add_at<T: Arithmetic>(list: &mut [T], k: usize, term: T) {
 }
 
 /// Successive items of a list.
-#[inline(always)]
+#[inline]
 pub(crate) fn pairs<T>(list: &[T]) -> impl ExactSizeIterator<Item = (&T, &T)> + Clone {
     list.iter().zip(list.get(1..).unwrap_or(&[]))
 }

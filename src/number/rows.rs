@@ -138,7 +138,7 @@ unsafe extern "C" fn chains_of_14(start: *const f32, x: *const f32, w: *const f3
 }
 
 /// What `Real::chains_at_once` does.
-#[inline(always)]
+#[inline]
 pub(super) fn chains<const C: usize, const R: usize>(
     start: &[f32; C],
     inputs: &[f32; R],
@@ -214,7 +214,7 @@ unsafe fn add_block<const W: usize>(
 }
 
 /// What `Real::rows_at_once` does.
-#[inline(always)]
+#[inline]
 pub(super) fn sums<const C: usize, const R: usize>(
     start: &[f32; C],
     inputs: &[f32; R],
@@ -235,7 +235,7 @@ pub(super) fn sums<const C: usize, const R: usize>(
 }
 
 /// What `Real::add_rows_beside` does.
-#[inline(always)]
+#[inline]
 pub(super) fn add_beside<const C: usize, const R: usize>(
     sums: &mut [[f32; 4]; C],
     inputs: &[[f32; 4]; R],
@@ -260,7 +260,7 @@ pub(super) fn add_beside<const C: usize, const R: usize>(
 }
 
 /// Numbers with three derivatives, each a structure of four numbers in the layout of C.
-#[inline(always)]
+#[inline]
 pub(super) fn beside<D, F, const N: usize>(numbers: &[D; N]) -> &[[F; 4]; N] {
     const { assert!(size_of::<D>() == 4 * size_of::<F>() && align_of::<D>() == align_of::<F>()) };
     // SAFETY: both have the same size, and nothing but the four numbers.

@@ -103,7 +103,7 @@ pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
 pub(crate) type ValueAndSlopes<F> = [F; 4];
 
 /// Numbers without derivatives.
-#[inline(always)]
+#[inline]
 pub(crate) fn beside_zeros<F: Real, const N: usize>(numbers: &[F; N]) -> [ValueAndSlopes<F>; N] {
     let mut beside = [[F::zero(); 4]; N];
     for ([place, ..], x) in beside.iter_mut().zip(numbers) {

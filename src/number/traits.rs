@@ -161,7 +161,7 @@ pub trait Number: Arithmetic<Value = <Self as Number>::Base> {
     fn set_derivative(&mut self, _direction: usize, _derivative: Self::Base) {}
 
     /// [`Real::add_rows_beside`] for numbers with three derivatives.
-    #[inline(always)]
+    #[inline]
     fn add_rows_of_duals<const C: usize, const R: usize>(
         _sums: &mut [[Self::Base; 4]; C],
         _inputs: &[Self; R],
@@ -215,14 +215,14 @@ pub trait Real: Number<Base = Self> + InRegisters {
     }
 
     /// A row of a table as it stands there. Only where [`Real::HAS_ROWS`].
-    #[inline(always)]
+    #[inline]
     fn as_stored<const C: usize>(_row: &[Self::Stored; C]) -> Option<&[Self; C]> {
         None
     }
     /// Whether the machine has instructions for rows of weights ([`Real::rows_at_once`]).
     const HAS_ROWS: bool = false;
     /// `start + Σ xᵢ rowᵢ`, row after row. Only where the machine has instructions for it.
-    #[inline(always)]
+    #[inline]
     fn rows_at_once<const C: usize, const R: usize>(
         start: &[Self; C],
         _inputs: &[Self; R],
@@ -232,7 +232,7 @@ pub trait Real: Number<Base = Self> + InRegisters {
     }
     /// The same of six columns and fourteen rows, in four chains: `(c₀ + c₂) + (c₁ + c₃)`, row
     /// `i` in chain `i mod 4`.
-    #[inline(always)]
+    #[inline]
     fn chains_at_once<const C: usize, const R: usize>(
         start: &[Self; C],
         _inputs: &[Self; R],
@@ -241,7 +241,7 @@ pub trait Real: Number<Base = Self> + InRegisters {
         *start
     }
     /// `start + Σ xᵢ rowᵢ` of a value and three derivatives, added to the sums.
-    #[inline(always)]
+    #[inline]
     fn add_rows_beside<const C: usize, const R: usize>(
         _sums: &mut [[Self; 4]; C],
         _inputs: &[[Self; 4]; R],
@@ -285,7 +285,7 @@ pub trait Float: Real<Stored = Self> + PartialOrd + Default + nalgebra::Scalar {
     /// Natural logarithm of a positive number.
     fn ln(self) -> Self;
     /// Two square roots.
-    #[inline(always)]
+    #[inline]
     fn two_roots([x, y]: [Self; 2]) -> [Self; 2] {
         [x.sqrt(), y.sqrt()]
     }
@@ -308,22 +308,22 @@ pub trait Pair<T: Number>: Arithmetic<Value = <T::Base as Number>::Pair> {
     /// Separate them.
     fn parts(self) -> (T, T);
     /// The same number twice.
-    #[inline(always)]
+    #[inline]
     fn both(x: T) -> Self {
         Self::couple(x, x)
     }
     /// Both multiplied by a plain number.
-    #[inline(always)]
+    #[inline]
     fn by(self, factor: T::Base) -> Self {
         self.scale(<T::Base as Number>::Pair::both(factor))
     }
     /// A plain number added to both.
-    #[inline(always)]
+    #[inline]
     fn more(self, term: T::Base) -> Self {
         self.shift(<T::Base as Number>::Pair::both(term))
     }
     /// Their sum.
-    #[inline(always)]
+    #[inline]
     fn sum(self) -> T {
         let (first, second) = self.parts();
         first + second
@@ -432,7 +432,7 @@ pub trait InRegisters: Arithmetic<Value = Self> {
         a
     }
     /// `yes` where a number is positive, else `no`.
-    #[inline(always)]
+    #[inline]
     fn chosen<const N: usize>(by: [Self; N], yes: [Self; N], no: [Self; N]) -> [Self; N] {
         each_chosen(by, yes, no)
     }

@@ -27,7 +27,7 @@ impl<T: Arithmetic> Cubic<T> {
     /// let middle = cubic.along(0.5);
     /// assert_eq!([middle.value, middle.slope, middle.bend], [0.125, 0.75, 3.0]);
     /// ```
-    #[inline(always)]
+    #[inline]
     pub fn new([from, to]: [T; 2], [slope, last]: [T; 2]) -> Self {
         let rise = to - from;
         let cubic = slope + last - (rise + rise);

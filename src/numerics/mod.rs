@@ -11,7 +11,7 @@ pub use self::hermite::Cubic;
 use crate::number::Arithmetic;
 
 /// `t² (3 − 2 t)`, which rises smoothly from 0 to 1 between `t = 0` and `t = 1`.
-#[inline(always)]
+#[inline]
 pub(crate) fn smooth_step<T: Arithmetic>(t: T) -> T {
     t.squared() * (T::constant(3.0) - t.times(2.0))
 }

@@ -33,7 +33,7 @@ pub(crate) struct LongContact<F> {
 
 impl<F: Real> LongContact<F> {
     /// From `√(a/b)`, `2(√g − 1)/(√g + 1)` and `4ν − 1`.
-    #[inline(always)]
+    #[inline]
     pub fn new(root: F, ratio: F, poisson: F) -> Self {
         // w = z³ (10 − 15 z + 6 z²)
         let z = root.plus(-FROM).times(1.0 / OVER).clamped(F::zero(), F::one());

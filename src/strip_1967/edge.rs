@@ -40,7 +40,7 @@ pub struct Edge<T> {
 
 impl<T: Number> Edge<T> {
     /// The point with `Y` between −1 and 1.
-    #[inline(always)]
+    #[inline]
     pub fn at(y: T) -> Self {
         Self { y, c: ((T::one() - y) * (T::one() + y)).sqrt() }
     }
@@ -52,7 +52,7 @@ impl<T: Number> Edge<T> {
     }
 
     /// `yes` where a number is positive, else `no`.
-    #[inline(always)]
+    #[inline]
     pub fn chosen_edge(by: T, yes: Self, no: Self) -> Self {
         Self { y: by.choose(yes.y, no.y), c: by.choose(yes.c, no.c) }
     }

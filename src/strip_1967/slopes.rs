@@ -70,7 +70,7 @@ pub(super) fn stretch_with_slopes<T: Number>(
 /// `h` and `ε` of `∫ C² (w_x, w_y, Y w_x) dY`.
 ///
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
-#[inline(always)]
+#[inline]
 pub(super) fn slip_with_slopes<F: Real>(
     [h, e, e2]: [F; 3],
     [u1, u2, d1, d2]: [F::Pair; 4],

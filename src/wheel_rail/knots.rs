@@ -123,7 +123,7 @@ impl<'a, F: Float> Knots<'a, F> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn knot(&self, k: usize) -> Option<PointAverage<F>> {
         let length = *self.lengths.get(k).filter(|_| k < self.count)?;
         let (weight, spread) = (F::one(), F::zero());

@@ -138,7 +138,7 @@ impl<F: Float> Surface<F> {
     }
 
     /// The curve at a share of the way from a point to the next; none past the last point.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn place(&self, k: usize, share: F) -> Option<CurvePoint<F>> {
         let from = self.point(k).filter(|_| k < self.count as usize)?;
         if share == F::zero() {
@@ -162,7 +162,7 @@ pub(crate) struct Piece<T> {
 }
 
 impl<T: Arithmetic> Piece<T> {
-    #[inline(always)]
+    #[inline]
     pub(crate) fn new(from: CurvePoint<T>, to: CurvePoint<T>, step: T) -> Self {
         Self {
             y: Cubic::new([from.y, to.y], [from.cosine * step, to.cosine * step]),
@@ -171,7 +171,7 @@ impl<T: Arithmetic> Piece<T> {
     }
 
     /// y and z at a share of the way.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn at(&self, u: T) -> [Along<T>; 2] {
         [self.y.along(u), self.z.along(u)]
     }

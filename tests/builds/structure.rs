@@ -194,6 +194,15 @@ fn files_have_at_most_500_lines() {
     }
 }
 
+/// Each of them is there because a function would stand alone, or a call cost more, without it.
+#[test]
+fn at_most_190_functions_are_always_inlined() {
+    let mut files = Vec::new();
+    rust_files(&root().join("src"), &mut files);
+    let count: usize = files.iter().map(|file| read(file).matches("inline(always)").count()).sum();
+    assert!((100..=190).contains(&count), "{count}");
+}
+
 /// The names that src defines outside of blocks and the names of methods, each with its files.
 #[derive(Default)]
 struct Names {
