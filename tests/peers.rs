@@ -7,12 +7,13 @@
 mod peers;
 
 use approx::assert_relative_eq;
+use kstrip_testing::reference::{self, numbers};
+use kstrip_testing::toolchain::{assert_told, read, root};
 use peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use peers::{Input, Output, fastrip, fastsim, polach, shen_hedrick_elkins, vermeulen_johnson};
 use proptest::prelude::*;
 use rstest::rstest;
 use std::f64::consts::PI;
-use std::path::Path;
 
 /// `√(ab)` of the test contacts \[m\]. Only `Flexibility::Blended` depends on it (see there).
 const SIZE: f64 = 5e-3;
@@ -30,24 +31,12 @@ struct Case {
     mz: f64,
 }
 
-fn records(name: &str) -> Vec<csv::StringRecord> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
-    let mut reader = csv::Reader::from_path(path).expect("the data file is there");
-    reader.records().map(|r| r.expect("a CSV row")).collect()
-}
-
-fn number(record: &csv::StringRecord, column: usize) -> f64 {
-    record[column].parse().expect("a number")
-}
-
 /// A contact with dimensionless creepages (`tests/data/README.md`) in SI units.
 fn contact(a_over_b: f64, v: [f64; 3]) -> Input {
-    let table = records("kalker_coefficients.csv");
     // the data have exactly the axis ratios and the Poisson ratio of the table
-    let row = table
-        .iter()
-        .find(|r| number(r, 0) == a_over_b && number(r, 1) == NU)
-        .expect("a row of the table");
+    let own = |row: &[f64; 5]| row[..2] == [a_over_b, NU];
+    let row = numbers("kalker_coefficients.csv").into_iter().find(own);
+    let [_, _, c11, c22, c23] = row.expect("a row of the table");
     let unit = MU * N / (G * SIZE * SIZE);
     Input {
         a: SIZE * a_over_b.sqrt(),
@@ -59,58 +48,36 @@ fn contact(a_over_b: f64, v: [f64; 3]) -> Input {
         longitudinal: v[0] * unit,
         lateral: v[1] * unit,
         spin: v[2] * unit / SIZE,
-        c11: number(row, 2),
-        c22: number(row, 3),
-        c23: number(row, 4),
+        c11,
+        c22,
+        c23,
     }
 }
 
 fn open() -> Vec<Case> {
-    let rows = records("open.csv");
     let ratios = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0];
     let contacts = ratios.map(|g| contact(g, [0.0; 3]));
     let unit = MU * N / (G * SIZE * SIZE);
-    let cases: Vec<Case> = rows
-        .iter()
-        .map(|r| {
-            let k = ratios.iter().position(|g| *g == number(r, 0));
-            Case {
-                input: Input {
-                    longitudinal: number(r, 2) * unit,
-                    lateral: number(r, 3) * unit,
-                    spin: number(r, 4) * unit / SIZE,
-                    ..contacts[k.expect("an axis ratio of the table")]
-                },
-                fx: number(r, 8),
-                fy: number(r, 9),
-                mz: number(r, 10),
-            }
-        })
-        .collect();
-    assert_eq!(cases.len(), 854);
-    cases
-}
-
-/// Mean, 95th percentile (linear between order statistics) and maximum.
-fn statistics(mut errors: Vec<f64>) -> [f64; 3] {
-    errors.sort_by(f64::total_cmp);
-    let n = errors.len();
-    let p = 0.95 * (n - 1) as f64;
-    let i = p as usize;
-    [
-        errors.iter().sum::<f64>() / n as f64,
-        errors[i] + (p - i as f64) * (errors[i + 1] - errors[i]),
-        errors[n - 1],
-    ]
+    let case = |[g, _, x, y, phi, _, _, _, fx, fy, mz]: [f64; 11]| {
+        let k = ratios.iter().position(|ratio| *ratio == g);
+        let contact = contacts[k.expect("an axis ratio of the table")];
+        let (longitudinal, lateral, spin) = (x * unit, y * unit, phi * unit / SIZE);
+        Case { input: Input { longitudinal, lateral, spin, ..contact }, fx, fy, mz }
+    };
+    let rows = numbers("open.csv");
+    assert_eq!(rows.len(), 854);
+    rows.into_iter().map(case).collect()
 }
 
 /// `|f − f_ref|` over `open.csv`, and the mean error of the moment.
 fn errors(solve: impl Fn(&Input) -> Output) -> ([f64; 3], f64) {
-    let cases = open();
-    let outputs: Vec<Output> = cases.iter().map(|c| solve(&c.input)).collect();
-    let force = cases.iter().zip(&outputs).map(|(c, o)| (o.fx - c.fx).hypot(o.fy - c.fy)).collect();
-    let moment = cases.iter().zip(&outputs).map(|(c, o)| (o.mz - c.mz).abs());
-    (statistics(force), moment.sum::<f64>() / cases.len() as f64)
+    let error = |Case { input, fx, fy, mz }: Case| {
+        let found = solve(&input);
+        ((found.fx - fx).hypot(found.fy - fy), (found.mz - mz).abs())
+    };
+    let (force, moment): (Vec<f64>, Vec<f64>) = open().into_iter().map(error).unzip();
+    let reference::Figures { mean, p95, max } = reference::figures(&force);
+    ([mean, p95, max], moment.iter().sum::<f64>() / moment.len() as f64)
 }
 
 /// FASTSIM on a square grid.
@@ -166,10 +133,7 @@ impl Measured {
     fn missed(self, other: f64) {
         let [.., most] = self.figures;
         assert!((most / other - 1.0).abs() > 0.2, "{}: {most} meets {other}", self.name);
-        let said = format!("{most:.4} against {other}");
-        let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/reference/accuracy.md");
-        let page = std::fs::read_to_string(page).expect("the report");
-        assert!(page.contains(&said), "docs/reference/accuracy.md does not say {said}");
+        assert_told("docs/reference/accuracy.md", &format!("{most:.4} against {other}"));
     }
 }
 
@@ -485,20 +449,15 @@ proptest! {
 /// `KSTRIP_WRITE_FASTSIM=1` writes the forces.
 #[test]
 fn the_table_of_the_page_is_that_of_the_reports() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/web/fastsim.csv");
-    let text = std::fs::read_to_string(&path).expect("the table is there");
+    let path = root().join("tests/web/fastsim.csv");
+    let text = read(&path);
     let mut written = text.lines().next().expect("a header").to_owned() + "\n";
     let grid = Grid::<10, 10>::new(Layout::StripCentres);
     for line in text.lines().skip(1) {
         let row: Vec<f64> = line.split(',').map(|word| word.parse().expect("a number")).collect();
-        let &[a, b, normal_force, shear_modulus, poisson_ratio, friction, ref motion @ ..] =
-            &row[..]
-        else {
-            panic!("fourteen numbers: {line}")
-        };
-        let &[longitudinal, lateral, spin, c11, c22, c23, fx, fy] = motion else {
-            panic!("fourteen numbers: {line}")
-        };
+        let row: [f64; 14] = row.try_into().expect("fourteen numbers");
+        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, rest @ ..] = row;
+        let [longitudinal, lateral, spin, c11, c22, c23, fx, fy] = rest;
         let input = Input {
             a,
             b,

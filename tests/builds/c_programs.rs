@@ -122,7 +122,6 @@ fn wheel_rail_prints_the_right_patch_forces_and_map() {
 }
 
 fn declared() -> Declared {
-    let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("the header");
     header::declared(&(read("include/kstrip.h") + &read("include/kstrip_f32.h")))
 }
 
@@ -464,11 +463,7 @@ fn wheelset_growth(speed: f64) -> f64 {
 #[ignore = "a step of .ci/run: long runs of examples"]
 fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
     let text = run_c("c_examples/05_hunting.c");
-    let (mut low, mut high) = (5.0, 150.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if wheelset_growth(middle) > 0.0 { high = middle } else { low = middle }
-    }
+    let [low, _] = bisect([5.0, 150.0], 0.0, |speed| wheelset_growth(speed) <= 0.0);
     let linear = line_of(&text, "critical speed, linear:")[0];
     assert_close(linear, low, 1e-3 * low, "critical speed of the linear model");
     // The spin of the cones takes a little of the slopes
@@ -649,7 +644,7 @@ fn sweep_over_processes_writes_the_same_bits() {
         say(&format!("SKIPPED: {source}: no mpicc on this machine"));
         return;
     };
-    if Command::new("mpirun").arg("--version").output().is_err() {
+    if !has("mpirun") {
         say(&format!("SKIPPED: {source}: compiled, but there is no mpirun to start it"));
         return;
     }
@@ -663,7 +658,7 @@ fn sweep_over_processes_writes_the_same_bits() {
         command.env("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe");
         let told = output_of(&mut command);
         assert!(told.starts_with(&format!("60000 cases, {processes} processes, ")), "{told}");
-        std::fs::read_to_string(path).expect("the map")
+        read(path)
     };
     let one = map("1");
     for processes in ["2", "3"] {
@@ -863,7 +858,7 @@ fn threads_and_rust_see_the_same_bits() {
 #[test]
 #[cfg(all(target_arch = "x86_64", target_os = "linux"))]
 fn calls_need_the_stack_that_the_page_says() {
-    let page = std::fs::read_to_string(root().join("docs/building.md")).expect("a page");
+    let page = read("docs/building.md");
     let row = |line: &str| {
         let (name, rest) = line.strip_prefix("| `")?.split_once("` | ")?;
         Some((name.to_owned(), rest.strip_suffix(" |")?.parse::<f64>().ok()?))

@@ -130,7 +130,7 @@ fn both_forms_are_the_same() {
 /// What C computes or fills has a form that returns it and throws.
 #[test]
 fn every_function_has_both_forms() {
-    let text = std::fs::read_to_string(root().join("include/kstrip.hpp")).expect("the header");
+    let text = read("include/kstrip.hpp");
     let throwing: String = text
         .split("#if defined(KSTRIP_HPP_EXCEPTIONS)\n")
         .skip(1)
@@ -151,7 +151,7 @@ fn every_function_has_both_forms() {
 /// What an example of at most 60 lines prints; `None` without a compiler.
 fn short_example(name: &str) -> Option<String> {
     let source = root().join("cpp_examples").join(name);
-    let lines = std::fs::read_to_string(&source).expect("the example").lines().count();
+    let lines = read(&source).lines().count();
     assert!(lines <= 60, "{lines}");
     // (they look for profiles from the root, where cargo runs tests)
     let compiler = cpp_compilers().into_iter().next();
@@ -227,8 +227,7 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
         say("SKIPPED: layouts in C++, because there is no C++ compiler");
         return;
     }
-    let c = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
-    let c = header::declared(&c);
+    let c = header::declared(&read("include/kstrip.h"));
     let mut program = String::from("#include \"kstrip.hpp\"\n#include <cstdio>\n");
     let mut same = |cpp: String, c: String| {
         program += &format!("static_assert({cpp} == {c}, \"\");\n");
@@ -269,9 +268,8 @@ fn layouts_defaults_and_statuses_are_those_of_c() {
 
 #[test]
 fn no_function_of_c_is_missing() {
-    let text = |name| std::fs::read_to_string(root().join("include").join(name)).expect("a header");
-    let cpp = text("kstrip.hpp");
-    let missing: Vec<String> = header::declared(&text("kstrip.h"))
+    let cpp = read("include/kstrip.hpp");
+    let missing: Vec<String> = header::declared(&read("include/kstrip.h"))
         .functions
         .into_iter()
         .map(|function| function.name)

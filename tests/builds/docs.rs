@@ -43,12 +43,6 @@ pub fn entries(folder: &Path) -> Vec<PathBuf> {
     entries
 }
 
-/// A file of the repository.
-pub fn read(path: impl AsRef<Path>) -> String {
-    let path = root().join(path);
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
 pub fn blocks(page: &Path) -> Vec<Block> {
     let text = read(page);
     let mut found: Vec<Block> = Vec::new();
@@ -210,8 +204,6 @@ fn shell_blocks_run() {
     // So that nothing but the blocks builds while they run.
     released("libkstrip.a");
     let target = scratch().parent().expect("target/tmp is in target").display().to_string();
-    let has =
-        |tool: &str| Command::new(tool).arg("--version").output().is_ok_and(|o| o.status.success());
     for page in pages() {
         for block in blocks(&page).into_iter().filter(|block| block.language == "sh") {
             let name = page.strip_prefix(root()).expect("inside").display().to_string();
@@ -679,13 +671,6 @@ fn count(model: &str, precision: &str, what: &str) -> f64 {
     row.split(' ').nth(1).expect("a count").parse().expect("a number")
 }
 
-/// A page has these words.
-#[track_caller]
-fn assert_told(page: &str, words: &str) {
-    let text = read(page).replace("\n * ", " ").replace("\n ", "").replace('\n', " ");
-    assert!(text.contains(words), "{page}: {words}");
-}
-
 /// As one rounds by hand (the report's last digit may be a 5), without the zero before the point.
 fn short(x: f64, digits: usize) -> String {
     format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
@@ -894,11 +879,7 @@ fn calls_cost_what_they_may() {
 /// The references of C and C++, if doxygen is here: no warning.
 #[test]
 fn doxygen_has_no_warning() {
-    if !Command::new("doxygen")
-        .arg("--version")
-        .output()
-        .is_ok_and(|output| output.status.success())
-    {
+    if !has("doxygen") {
         say("SKIPPED: the references of C and C++ by doxygen, which is not installed");
         return;
     }

@@ -6,14 +6,6 @@ use kstrip_testing::toolchain::library;
 use std::path::PathBuf;
 use std::process::Command;
 
-fn has(tool: &str) -> bool {
-    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
-}
-
-fn read(name: &str) -> String {
-    std::fs::read_to_string(root().join(name)).expect(name)
-}
-
 fn folder(name: &str) -> PathBuf {
     let folder = scratch().join(name);
     std::fs::create_dir_all(&folder).expect("scratch is writable");

@@ -4,27 +4,15 @@
 use kstrip::ffi::KSTRIP_ABI_VERSION;
 use serde_json::Value;
 
-use kstrip_testing::toolchain::root;
-use std::collections::BTreeSet;
+use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::host;
 use std::process::Command;
-
-fn read(name: &str) -> String {
-    std::fs::read_to_string(format!("{}/{name}", env!("CARGO_MANIFEST_DIR"))).expect(name)
-}
 
 /// `cargo metadata` for this machine.
 fn metadata() -> Value {
-    let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-    let version = Command::new(rustc).arg("-vV").output().expect("rustc runs");
-    let version = String::from_utf8(version.stdout).expect("text");
-    let host = version.lines().find_map(|line| line.strip_prefix("host: ")).expect("a host");
-    let output = Command::new(env!("CARGO"))
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .args(["metadata", "--format-version", "1", "--locked", "--filter-platform", host])
-        .output()
-        .expect("cargo runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).expect("JSON")
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.current_dir(root()).args(["metadata", "--format-version", "1", "--locked"]);
+    serde_json::from_str(&output_of(cargo.args(["--filter-platform", host()]))).expect("JSON")
 }
 
 fn text<'a>(package: &'a Value, key: &str) -> &'a str {
@@ -137,9 +125,7 @@ fn security_page_is_true() {
             let path = entry.expect("an entry").path();
             if path.is_dir() {
                 folders.push(path);
-            } else if std::fs::read_to_string(&path)
-                .is_ok_and(|text| text.contains("[allow(unsafe_code)]"))
-            {
+            } else if read(&path).contains("[allow(unsafe_code)]") {
                 let name = path.strip_prefix(root()).expect("inside").to_str().expect("text");
                 found.push(name.replace('\\', "/").replace("/mod.rs", ""));
             }
@@ -168,7 +154,7 @@ fn security_page_is_true() {
     for entry in std::fs::read_dir(root().join("scripts")).expect("scripts") {
         let path = entry.expect("an entry").path();
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
-        let script = std::fs::read_to_string(&path).expect("a script").replace("\\\n", " ");
+        let script = read(&path).replace("\\\n", " ");
         for line in script.lines().filter(|line| !line.trim_start().starts_with('#')) {
             let builds = [
                 "cargo rustc",

@@ -1,6 +1,6 @@
 //! The structure of the sources: which folder and which file uses which, and the width of lines.
 
-use crate::docs::{blocks, entries, read};
+use crate::docs::{blocks, entries};
 use kstrip_testing::prelude::*;
 use std::path::PathBuf;
 

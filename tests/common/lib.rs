@@ -1,6 +1,7 @@
 //! What several programs of the tests, reports and fuzz targets use.
 
 pub mod entries;
+pub mod halving;
 pub mod header;
 pub mod manchester;
 pub mod names;

@@ -5,6 +5,7 @@
 //! has it; its roll itself is not at hand, which counts where the flange begins to climb (6.5 to
 //! 7.5 mm).
 
+use crate::reference::numbers;
 use crate::toolchain::root;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
@@ -64,10 +65,8 @@ pub fn zeroed<T>() -> Box<T> {
 
 /// Columns y and z of a file of `tests/data/wheel_rail` [m].
 pub fn points(name: &str) -> [Vec<f64>; 2] {
-    let path = root().join(format!("tests/data/wheel_rail/{name}.csv"));
-    let records: Vec<csv::StringRecord> =
-        csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect();
-    [0, 1].map(|i| records.iter().map(|record| 1e-3 * record[i].parse::<f64>().unwrap()).collect())
+    let rows = numbers::<2>(&format!("wheel_rail/{name}.csv"));
+    [0, 1].map(|i| rows.iter().map(|row| 1e-3 * row[i]).collect())
 }
 
 /// The profile of such a file.

@@ -15,20 +15,21 @@ use std::collections::HashMap;
 pub type Full = Patch<f64, 64>;
 
 /// A row of a table, by the names of its columns.
-type Row = HashMap<String, String>;
+pub type Row = HashMap<String, String>;
 
 fn rows(file: &str) -> Vec<Row> {
     rows_of("patches", file)
 }
 
-fn rows_of(folder: &str, file: &str) -> Vec<Row> {
+/// Those of a file in a folder of `tests/data`.
+pub fn rows_of(folder: &str, file: &str) -> Vec<Row> {
     let path = root().join("tests/data").join(folder).join(file);
     let mut reader = csv::Reader::from_path(path).unwrap();
     reader.deserialize().map(|row| row.unwrap()).collect()
 }
 
-fn number(row: &Row, column: &str) -> f64 {
-    row[column].parse().unwrap()
+pub fn number(row: &Row, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column} of {row:?}"))
 }
 
 /// Creepages in units of `k`, and CONTACT's answer in units of `μ N` and `μ N c`.

@@ -1,11 +1,15 @@
 //! What most tests use.
 
+pub use crate::halving::{bisect, steepest};
 pub use crate::header;
 pub use crate::manchester::{self, points, prepared, steel, zeroed};
 pub use crate::random::Random;
+pub use crate::reference::numbers;
 pub use crate::single::single_motion;
 pub use crate::theory::{self, MODELS, contact, creepage, options};
-pub use crate::toolchain::{cpp_compilers, output_of, root, run_cpp, run_source, say, scratch};
+pub use crate::toolchain::{
+    assert_told, cpp_compilers, has, output_of, read, root, run_cpp, run_source, say, scratch,
+};
 pub use approx::assert_relative_eq;
 pub use kstrip::contact::creepage::{Creepage, Parameters};
 pub use kstrip::contact::hertz::{HertzContact, Radii, hertz};

@@ -124,6 +124,16 @@ impl Table {
     }
 }
 
+/// The first columns of a file of `tests/data`, which are numbers.
+pub fn numbers<const N: usize>(file: &str) -> Vec<[f64; N]> {
+    let mut reader = csv::Reader::from_path(root().join("tests/data").join(file)).expect(file);
+    let row = |record: Result<csv::StringRecord, _>| {
+        let record = record.expect("a row");
+        std::array::from_fn(|i| record[i].parse().expect("a number"))
+    };
+    reader.records().map(row).collect()
+}
+
 fn case(table: &Table, row: usize) -> Case {
     let at = |column| table.number(row, column);
     Case {

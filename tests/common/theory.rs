@@ -182,16 +182,11 @@ impl Law {
         samples.retain(|t| (-end..=end).contains(t));
         samples.sort_by(f64::total_cmp);
         for pair in samples.windows(2) {
-            let (mut low, mut high) = (pair[0], pair[1]);
-            let sign = fit(low) > 0.0;
-            if sign == (fit(high) > 0.0) {
-                continue;
+            let is_above = |t| fit(t) > 0.0;
+            let sign = is_above(pair[0]);
+            if sign != is_above(pair[1]) {
+                cuts.push(bisect([pair[0], pair[1]], 1e-18, |t| is_above(t) == sign)[0]);
             }
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                if (fit(middle) > 0.0) == sign { low = middle } else { high = middle }
-            }
-            cuts.push(0.5 * (low + high));
         }
         cuts.retain(|t| (-end..=end).contains(t));
         cuts.sort_by(f64::total_cmp);

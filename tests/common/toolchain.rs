@@ -16,6 +16,24 @@ pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("two folders above this one")
 }
 
+/// A file of the repository, or one elsewhere by its whole path.
+pub fn read(path: impl AsRef<Path>) -> String {
+    let path = root().join(path);
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// A page, or the comments of a header, has these words, on whichever lines.
+#[track_caller]
+pub fn assert_told(page: &str, words: &str) {
+    let text = read(page).replace("\n * ", " ").replace("\n ", "").replace('\n', " ");
+    assert!(text.contains(words), "{page}: {words}");
+}
+
+/// Whether a program is installed.
+pub fn has(tool: &str) -> bool {
+    Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
 /// A line on standard error, also from a test that passes.
 pub fn say(line: &str) {
     writeln!(std::io::stderr(), "{line}").expect("standard error can be written");
@@ -110,20 +128,24 @@ pub fn scratch() -> &'static Path {
     })
 }
 
-/// The system's C (or C++) compiler, as the crate `cc` finds it: `CC`/`CXX`, else `cc`/`c++`.
-fn compiler(cpp: bool) -> Command {
+/// This machine, as rustc names it.
+pub fn host() -> &'static str {
     static HOST: OnceLock<String> = OnceLock::new();
-    let host = HOST.get_or_init(|| {
+    HOST.get_or_init(|| {
         let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
         let version = output_of(Command::new(rustc).arg("-vV"));
         let host = version.lines().find_map(|line| line.strip_prefix("host: "));
         host.expect("rustc -vV names its host").to_owned()
-    });
+    })
+}
+
+/// The system's C (or C++) compiler, as the crate `cc` finds it: `CC`/`CXX`, else `cc`/`c++`.
+fn compiler(cpp: bool) -> Command {
     let mut build = cc::Build::new();
     build
         .cpp(cpp)
-        .target(host)
-        .host(host)
+        .target(host())
+        .host(host())
         .opt_level(1)
         .debug(false)
         .warnings(false)
@@ -216,10 +238,7 @@ pub fn build_c_with(
 
 /// The C++ compilers of this machine: the system's, and clang++ if that is another one.
 pub fn cpp_compilers() -> Vec<&'static str> {
-    let runs = |name: &&str| {
-        Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
-    };
-    ["g++", "clang++"].into_iter().filter(runs).collect()
+    ["g++", "clang++"].into_iter().filter(|name| has(name)).collect()
 }
 
 /// Compile a C++ program of the repository without a warning by one of [`cpp_compilers`], link it

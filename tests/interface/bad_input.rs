@@ -51,9 +51,7 @@ fn covers(pattern: &str, name: &str) -> bool {
 }
 
 fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
-    let texts = ["bad-input.md", "bad-input-wheelset.md"].map(|name| {
-        std::fs::read_to_string(root().join("docs/reference").join(name)).expect("the page")
-    });
+    let texts = ["", "-wheelset"].map(|part| read(format!("docs/reference/bad-input{part}.md")));
     let rows = |heading| texts.iter().flat_map(move |text| table(text, heading));
     let good = rows("## Good arguments")
         .flat_map(|row| {
@@ -392,7 +390,6 @@ fn places<'a>(
 
 #[test]
 fn bad_input_gets_its_status_and_outputs_stay() {
-    let read = |path: &str| std::fs::read_to_string(root().join(path)).expect("the header");
     let header = read("include/kstrip.h") + &read("include/kstrip_f32.h");
     let declared = header::declared(&header);
     let (good, rules) = page();

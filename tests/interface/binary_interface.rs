@@ -3,30 +3,27 @@
 
 use crate::groups;
 use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::write_scratch;
 
 /// What cbindgen writes: it reads the crate, and instead of the exported functions and the
 /// statuses, whose macros it does not expand, their declarations.
 fn generated() -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let config = cbindgen::Config::from_root_or_default(root);
-    let folder = root.join("src/ffi/exports");
+    let config = cbindgen::Config::from_root_or_default(root());
     let mut exports = String::new();
-    for entry in std::fs::read_dir(folder).expect("the sources") {
-        exports += &std::fs::read_to_string(entry.expect("an entry").path()).expect("a source");
+    for entry in std::fs::read_dir(root().join("src/ffi/exports")).expect("the sources") {
+        exports += &read(entry.expect("an entry").path());
     }
-    let table = std::fs::read_to_string(root.join("src/status.rs")).expect("a source");
-    let both = groups::statuses(&table)
+    let both = groups::statuses(&read("src/status.rs"))
         + &groups::declarations(&exports, "", "f64")
         + &groups::declarations(&exports, "_f32", "f32");
     // Tests run side by side: each writes a file of its own.
     let scratch = format!("declarations_{:?}.rs", std::thread::current().id());
-    let scratch = Path::new(env!("CARGO_TARGET_TMPDIR")).join(scratch);
-    std::fs::write(&scratch, both).expect("the folder is writable");
+    let scratch = write_scratch(&scratch, &both);
     let mut bytes = Vec::new();
     cbindgen::Builder::new()
         .with_config(config)
         .with_src(scratch)
-        .with_src(root.join("src/lib.rs"))
+        .with_src(root().join("src/lib.rs"))
         .generate()
         .expect("cbindgen reads the sources")
         .write(&mut bytes);
@@ -38,7 +35,7 @@ const HEADERS: [&str; 2] = ["include/kstrip.h", "include/kstrip_f32.h"];
 /// Compares a file with what it should be, and writes it first where that is wanted.
 #[track_caller]
 fn compare(path: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    let path = root().join(path);
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
         std::fs::write(&path, text).expect("the folder is writable");
     }
@@ -60,7 +57,7 @@ fn committed_headers_are_current() {
         compare(path, header);
     }
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
-        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("bindings/python/write_types.py");
+        let script = root().join("bindings/python/write_types.py");
         let status = std::process::Command::new("python3").arg(script).status();
         assert!(status.is_ok_and(|status| status.success()), "python3 writes kstrip/_types.py");
     }
@@ -77,8 +74,7 @@ fn committed_headers_are_current() {
 fn binary_interface_is_the_committed_one() {
     let declared = header::declared(&groups::headers(&generated()).concat());
     let interface = format!("{}\n{}", ABI_HEAD.trim(), declared.interface());
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap_or_default();
+    let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_default();
     let committed = read("docs/reference/abi.txt");
     let version = |text: &str| {
         text.lines()
@@ -98,8 +94,9 @@ fn binary_interface_is_the_committed_one() {
     );
     let list = declared.rust_list();
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
-        std::fs::write(root.join("docs/reference/abi.txt"), &interface).expect("docs/ is writable");
-        std::fs::write(root.join("tests/c/layout.rs"), &list).expect("tests/c/ is writable");
+        std::fs::write(root().join("docs/reference/abi.txt"), &interface)
+            .expect("docs/ is writable");
+        std::fs::write(root().join("tests/c/layout.rs"), &list).expect("tests/c/ is writable");
     }
     assert!(
         read("docs/reference/abi.txt") == interface && read("tests/c/layout.rs") == list,

@@ -117,9 +117,8 @@ fn the_header_states_the_error_of_the_theory_where_it_is_meant() {
     assert!(cases.len() > 100, "{}", cases.len());
     let errors = Errors::of_model::<f64>(&cases, &sixteen(Model::Strip1967));
     let mean = figures(&errors.force).mean;
-    let header = std::fs::read_to_string(root().join("include/kstrip.h")).expect("the header");
     let text = format!("mean error against CONTACT is {:.0} % of mu N there", 100.0 * mean);
-    assert!(header.replace("\n * ", " ").contains(&text), "include/kstrip.h: {text} ({mean})");
+    assert_told("include/kstrip.h", &text);
 }
 
 fn field_row(model: Model, single: bool) -> Row {

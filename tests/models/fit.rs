@@ -3,6 +3,7 @@
 use crate::prelude::*;
 use kstrip::friction;
 use kstrip::rig::fit::FrictionFit;
+use kstrip_testing::reference::Table;
 
 /// The locomotive of `eurosprinter_measured.csv`.
 const LOCOMOTIVE: Contact<f64> =
@@ -28,27 +29,15 @@ fn point(creepage: f64, fx: f64) -> MeasuredForce<f64> {
     MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved: 0 }
 }
 
-fn read(name: &str) -> Vec<csv::StringRecord> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data").join(name);
-    csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect()
-}
-
-fn number(row: &csv::StringRecord, column: usize) -> f64 {
-    row[column].parse().unwrap()
-}
-
 fn measured() -> Vec<MeasuredForce<f64>> {
-    let points = read("eurosprinter_measured.csv");
-    points
-        .iter()
-        .map(|row| point(number(row, 0) / 100.0, number(row, 1) * LOCOMOTIVE.normal_force))
-        .collect()
+    let points = numbers("eurosprinter_measured.csv").into_iter();
+    points.map(|[percent, share]| point(percent / 100.0, share * LOCOMOTIVE.normal_force)).collect()
 }
 
 fn curve(series: &str) -> Vec<MeasuredForce<f64>> {
-    let points = read("traction_curves.csv");
-    let own = points.iter().filter(|row| &row[0] == series);
-    own.map(|row| point(number(row, 1), number(row, 2))).collect()
+    let table = Table::read(root().join("tests/data/traction_curves.csv"));
+    let own = table.rows().filter(|row| table.text(*row, "series") == series);
+    own.map(|row| point(table.number(row, "creepage"), table.number(row, "force_N"))).collect()
 }
 
 /// Points on the curve of a law, `count` of them, each at its creepage, times a factor.
@@ -204,15 +193,11 @@ fn undetermined_begins_at_half_of_a_parameter() {
         }
         fit(&points, which, SlipFriction::of_constant(0.3))
     };
-    let (mut low, mut high) = (0.01, 1.0);
-    assert_eq!(fitted(low).warning, Warning::None);
-    assert_eq!(fitted(high).warning, Warning::Undetermined);
-    while high - low > 1e-4 * low {
-        let middle = (low + high) / 2.0;
-        let warned = fitted(middle).warning == Warning::Undetermined;
-        *(if warned { &mut high } else { &mut low }) = middle;
-    }
-    let found = fitted(low);
+    let ends = [0.01, 1.0];
+    let warnings = ends.map(|noise| fitted(noise).warning);
+    assert_eq!(warnings, [Warning::None, Warning::Undetermined]);
+    let is_low = |noise| fitted(noise).warning != Warning::Undetermined;
+    let found = fitted(bisect(ends, 1e-6, is_low)[0]);
     let share = (found.standard_errors.friction / found.law.friction)
         .max(found.standard_errors.slope_factor / found.law.slope_factor);
     assert!((share - 0.5).abs() < 5e-3, "{share} {found:?}");

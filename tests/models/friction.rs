@@ -227,14 +227,9 @@ fn solutions(
     for i in 1..(13.7 / step) as i32 {
         let now = error(i);
         if (now > 0.0) != (before > 0.0) {
-            let (mut low, mut high) = (at(i), at(i - 1));
             let above = before > 0.0;
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                let sign = next(c, m, law, o, middle) > middle;
-                if sign == above { high = middle } else { low = middle }
-            }
-            found.push(0.5 * (low + high));
+            let is_low = |mu| (next(c, m, law, o, mu) > mu) != above;
+            found.push(bisect([at(i), at(i - 1)], 0.0, is_low)[0]);
         }
         before = now;
     }

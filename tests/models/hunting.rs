@@ -56,12 +56,7 @@ fn is_stable(a: &Matrix4<f64>) -> bool {
 }
 
 fn critical_speed(model: Model, conicity: f64) -> f64 {
-    let (mut low, mut high) = (5.0, 400.0);
-    while high - low > 1e-4 {
-        let speed = 0.5 * (low + high);
-        if is_stable(&linearised(model, conicity, speed)) { low = speed } else { high = speed }
-    }
-    low
+    bisect([5.0, 400.0], 1e-4, |speed| is_stable(&linearised(model, conicity, speed)))[0]
 }
 
 /// More conicity, less critical speed: a ripple of the slopes would turn that round.

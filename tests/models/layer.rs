@@ -37,21 +37,13 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/layer.csv");
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    let rows = reader.deserialize::<[f64; 11]>().map(|row| {
-        let [a, b, normal_force, friction, layer, longitudinal, lateral, spin, fx, fy, mz] =
-            row.unwrap();
+    let row = |[a, b, normal_force, friction, layer, x, y, spin, expected @ ..]: [f64; 11]| {
         let contact = Contact { a, b, normal_force, friction, ..C0 };
-        Row {
-            contact,
-            creepage: Creepage { longitudinal, lateral, spin },
-            law: law(friction, 0.0, layer),
-            ratio: layer / flexibilities(&contact)[0],
-            expected: [fx, fy, mz],
-        }
-    });
-    rows.collect()
+        let ratio = layer / flexibilities(&contact)[0];
+        let (creepage, law) = (creep(x, y, spin), law(friction, 0.0, layer));
+        Row { contact, creepage, law, ratio, expected }
+    };
+    numbers("layer.csv").into_iter().map(row).collect()
 }
 
 /// Mean, 95th percentile and largest.
@@ -414,18 +406,9 @@ fn forces_are_continuous_behind_a_layer() {
             // (friction that has several solutions jumps between them)
             law.falls_mildly(&c, &m).then(|| relative(&c, &m, &law, &o))
         };
-        let (mut low, mut high) = (0.0, 1.0);
-        let (Some(mut at_low), Some(mut at_high)) = (at(low), at(high)) else { continue };
-        for _ in 0..40 {
-            let middle = 0.5 * (low + high);
-            let Some(value) = at(middle) else { break };
-            if apart(at_low, value) > apart(value, at_high) {
-                (high, at_high) = (middle, value);
-            } else {
-                (low, at_low) = (middle, value);
-            }
-        }
-        let left = apart(at_low, at_high);
+        let [Some(first), Some(last)] = [0.0, 1.0].map(at) else { continue };
+        let (low, [below, above]) = steepest([0.0, 1.0], [first, last], 1e-12, at, apart);
+        let left = apart(below, above);
         assert!(left < 1e-9, "{o:?} {left} at {low} of {start:?} {end:?} {c:?} {from:?} {to:?}");
     }
 }

@@ -340,20 +340,10 @@ fn largest_jump(of: impl Fn(f64) -> f64, [from, to]: [f64; 2], steps: usize) -> 
     let mut bends: Vec<usize> = (1..steps - 1).collect();
     bends.sort_by(|one, other| bend(*other).total_cmp(&bend(*one)));
     let jumps = bends.iter().take(3).map(|&k| {
-        let [mut low, mut high] = [place(k), place(k + 1)];
-        let [mut below, mut above] = [found[k], found[k + 1]];
-        loop {
-            let middle = low + 0.5 * (high - low);
-            if middle <= low || middle >= high {
-                return (above / below - 1.0).abs();
-            }
-            let own = of(middle);
-            if (own - below).abs() > (own - above).abs() {
-                (high, above) = (middle, own);
-            } else {
-                (low, below) = (middle, own);
-            }
-        }
+        let (ends, values) = ([place(k), place(k + 1)], [found[k], found[k + 1]]);
+        let distance = |one: f64, other: f64| (one - other).abs();
+        let (_, [below, above]) = steepest(ends, values, 0.0, |x| Some(of(x)), distance);
+        (above / below - 1.0).abs()
     });
     jumps.fold(0.0, f64::max)
 }

@@ -2,9 +2,8 @@
 //! of steep contacts at equal load, each in its own plane.
 
 use crate::prelude::*;
-use crate::wheel_rail::{assert_told, mean_and_p95, number, rows};
-
-type Row = HashMap<String, String>;
+use crate::wheel_rail::{PAGE, mean_and_p95, rows};
+use kstrip_testing::patch_reference::{Row, number};
 
 /// The pair of a row, at its position without a height, and its velocity.
 fn stand(row: &Row) -> (Stand, Position<f64>, Velocity<f64>) {
@@ -47,11 +46,8 @@ fn steep_contacts(row: &Row, load: f64) -> (Vec<WheelContact<f64>>, Velocity<f64
         stand.memory.found().iter().filter(is_steep).copied().collect()
     };
     // the load rises with the height
-    let (mut low, mut high) = (middle - 1e-4, middle + 1e-4);
-    for _ in 0..40 {
-        let vertical = 0.5 * (low + high);
-        *if load_of(&contacts(vertical)) > load { &mut high } else { &mut low } = vertical;
-    }
+    let is_low = |vertical| load_of(&contacts(vertical)) <= load;
+    let [_, high] = bisect([middle - 1e-4, middle + 1e-4], 2e-16, is_low);
     let contacts = contacts(high);
     assert!((load_of(&contacts) / load - 1.0).abs() < 1e-4, "{row:?}");
     (contacts, velocity)
@@ -90,7 +86,7 @@ fn steep_contacts_press_as_contact_says() {
     println!("peak pressures without yaw {straight:.4?}, with yaw {yawed:.4?}");
     assert!(straight.1 == 16 && straight.0[0] < 0.006);
     assert!(yawed.1 == 16 && yawed.0[0] < 0.008 && yawed.0[1] < 0.025);
-    assert_told(&format!("with yaw {:.1} % on average", 100.0 * yawed.0[0]));
+    assert_told(PAGE, &format!("with yaw {:.1} % on average", 100.0 * yawed.0[0]));
 }
 
 /// Contacts above 50 degrees whose normals turn by less than 30: conformal CONTACT, and CONTACT
@@ -107,12 +103,15 @@ fn steep_contacts_are_those_of_contact_at_equal_load() {
     assert!(conformal.0[0] < 0.02 && planar.0[0] < 0.012 && planar.0[1] < 0.03);
     let ([mean, _], count) = conformal;
     let of_conformal = format!("| {mean:.3} ({count}) |");
-    assert_told(&format!("above 50 degrees, at equal load {of_conformal}"));
+    assert_told(PAGE, &format!("above 50 degrees, at equal load {of_conformal}"));
     let ([mean, p95], count) = planar;
-    assert_told(&format!(
-        "With one plane of contact they are {mean:.3} on average and {p95:.3} at the 95th \
+    assert_told(
+        PAGE,
+        &format!(
+            "With one plane of contact they are {mean:.3} on average and {p95:.3} at the 95th \
          percentile ({count} contacts)"
-    ));
+        ),
+    );
 }
 
 /// The forces of wheels at the vertical load, in classes of the mean angle of their steepest
@@ -142,6 +141,6 @@ fn errors_by_angle_and_range_are_those_of_the_page() {
         });
         let row = format!("| {name} degrees | {} |", cells.join(" | "));
         println!("{row}");
-        assert_told(&row);
+        assert_told(PAGE, &row);
     }
 }

@@ -105,8 +105,8 @@ fn any_place(random: &mut Random) -> Position<f64> {
     placed([lateral, 0.0, yaw, roll])
 }
 
-fn distance(one: &[f64; 7], other: &[f64; 7]) -> f64 {
-    one.iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+fn distance(one: [f64; 7], other: [f64; 7]) -> f64 {
+    one.into_iter().zip(other).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 /// The largest change between neighbouring numbers, over the load: of the places where the wrench
@@ -130,21 +130,13 @@ fn largest_jump(over: &mut Over, which: usize, from: f64, to: f64, steps: usize)
     bends.sort_by(|one, other| other.0.total_cmp(&one.0));
     let mut worst = (0.0, 0.0);
     for &(_, k) in bends.iter().take(4) {
-        let (mut low, mut high) = (place(k), place(k + 1));
-        let (Some(mut below), Some(mut above)) = (found[k], found[k + 1]) else { continue };
-        loop {
-            let middle = low + 0.5 * (high - low);
-            if middle <= low || middle >= high {
-                break;
-            }
-            let Some(own) = over.at(which, middle, &mut memory) else { break };
-            if distance(&below, &own) > distance(&own, &above) {
-                (high, above) = (middle, own);
-            } else {
-                (low, below) = (middle, own);
-            }
-        }
-        let jump = distance(&below, &above) / below[6].max(above[6]).max(1e-3);
+        let (ends, [Some(below), Some(above)]) = ([k, k + 1].map(place), [found[k], found[k + 1]])
+        else {
+            continue;
+        };
+        let at = |middle| over.at(which, middle, &mut memory);
+        let (low, [below, above]) = steepest(ends, [below, above], 0.0, at, distance);
+        let jump = distance(below, above) / below[6].max(above[6]).max(1e-3);
         if jump > worst.0 {
             worst = (jump, low);
         }
@@ -314,26 +306,18 @@ fn a_zone_without_depth_changes_nothing() {
         };
         let mut last = apart(&mut over, loaded);
         for k in 1..200 {
-            let (mut high, mut low) =
-                (loaded + 1e-7 * f64::from(k - 1), loaded + 1e-7 * f64::from(k));
+            let [high, low] = [k - 1, k].map(|k| loaded + 1e-7 * f64::from(k));
             let next = apart(&mut over, low);
             assert!(next.1[6] > last.1[6], "the load falls: {wave} {hollow} {low}");
             if next.0 != last.0 {
                 let (mut before, mut after) = (last.1, next.1);
-                loop {
-                    let middle = high + 0.5 * (low - high);
-                    if middle <= high || middle >= low {
-                        break;
-                    }
+                let [high, _] = bisect([high, low], 0.0, |middle| {
                     let own = apart(&mut over, middle);
-                    if own.0 == last.0 {
-                        (high, before) = (middle, own.1);
-                    } else {
-                        (low, after) = (middle, own.1);
-                    }
-                }
+                    *(if own.0 == last.0 { &mut before } else { &mut after }) = own.1;
+                    own.0 == last.0
+                });
                 changes += 1;
-                let jump = distance(&before, &after) / before[6];
+                let jump = distance(before, after) / before[6];
                 assert!(jump < 1e-9, "{wave} {hollow} {high}: {jump}");
             }
             last = next;

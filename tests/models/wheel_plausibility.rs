@@ -223,12 +223,9 @@ fn support_ends_at_a_twentieth_of_the_shear_modulus() {
         let peak = peaks.flatten().fold(0.0, f64::max);
         (warning, peak / pair.shear_modulus)
     };
-    let (mut low, mut high) = (1e3, 1e6);
-    assert_eq!([low, high].map(|load| under(load).0), [Warning::None, Warning::Support]);
-    while high > 1.001 * low {
-        let middle = f64::midpoint(low, high);
-        *(if under(middle).0 == Warning::None { &mut low } else { &mut high }) = middle;
-    }
-    let (below, above) = (under(low).1, under(high).1);
+    let ends = [1e3, 1e6];
+    assert_eq!(ends.map(|load| under(load).0), [Warning::None, Warning::Support]);
+    let ends = bisect(ends, 1.0, |load| under(load).0 == Warning::None);
+    let [below, above] = ends.map(|load| under(load).1);
     assert!(below <= 0.05 && above > 0.05 && above < 1.01 * below, "{below} {above}");
 }

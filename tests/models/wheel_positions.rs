@@ -325,19 +325,11 @@ fn derivatives_by_position_are_there_where_zones_begin() {
         };
         let mut begins = Vec::new();
         for k in 0..40 {
-            let [mut before, mut after] = [k, k + 1].map(|k| deep - 4e-4 + 1e-5 * f64::from(k));
-            let few = count(before);
-            if count(after) <= few {
-                continue;
+            let ends = [k, k + 1].map(|k| deep - 4e-4 + 1e-5 * f64::from(k));
+            let few = count(ends[0]);
+            if count(ends[1]) > few {
+                begins.push(bisect(ends, 0.0, |vertical| count(vertical) <= few)[1]);
             }
-            loop {
-                let middle = 0.5 * (before + after);
-                if middle <= before || middle >= after {
-                    break;
-                }
-                *(if count(middle) > few { &mut after } else { &mut before }) = middle;
-            }
-            begins.push(after);
         }
         begun += begins.len();
         for (begin, deeper) in begins.iter().flat_map(|begin| {

@@ -5,16 +5,12 @@ use crate::prelude::*;
 use kstrip::wheel_rail::contacts::from_gap;
 use kstrip::wheel_rail::touch::{Gap, GapSearch};
 use kstrip_testing::manchester::Wheelset;
+use kstrip_testing::patch_reference::{Row, number, rows_of};
 
 type Members = [f64; 6];
 
-pub(crate) fn rows(name: &str) -> Vec<HashMap<String, String>> {
-    let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
-    csv::Reader::from_path(path).unwrap().deserialize().map(Result::unwrap).collect()
-}
-
-pub(crate) fn number(row: &HashMap<String, String>, name: &str) -> f64 {
-    row[name].parse().unwrap_or_else(|_| panic!("{name} of {row:?}"))
+pub(crate) fn rows(name: &str) -> Vec<Row> {
+    rows_of("wheel_rail", &format!("{name}.csv"))
 }
 
 /// A profile of the data, turned about its origin.
@@ -126,12 +122,8 @@ pub(crate) fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
     [errors.iter().sum::<f64>() / errors.len() as f64, p95]
 }
 
-/// The page on wheel and rail has these words.
-pub(crate) fn assert_told(words: &str) {
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/wheel-rail.md");
-    let page = std::fs::read_to_string(page).unwrap().replace('\n', " ");
-    assert!(page.contains(words), "docs/wheel-rail.md: {words}");
-}
+/// The page on wheel and rail.
+pub(crate) const PAGE: &str = "docs/wheel-rail.md";
 
 /// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as
 /// CONTACT's: heights in um, forces divided by mu N, number of contacts. Beyond 30 degrees only
@@ -190,15 +182,13 @@ fn forces_and_heights_are_those_of_contact() {
     assert!(planar[0] < 0.030 && planar[1] < 0.10);
     let allowed = [0.022, 0.022, 0.025, 0.038, 0.2];
     assert!(conformal.iter().zip(allowed).all(|(error, allowed)| *error < allowed));
-    assert_told(&format!("with one plane of contact | {:.3} |", planar[0]));
+    assert_told(PAGE, &format!("with one plane of contact | {:.3} |", planar[0]));
     let [a, b, c, d, _] = conformal;
-    assert_told(&format!("20 to 30 degrees | {a:.3}, {b:.3}, {c:.3}, {d:.3} |"));
-    assert_told(&format!(
-        "mean and 95th percentile | {:.1} µm, {:.1} µm |",
-        heights[0], heights[1]
-    ));
-    assert_told(&format!("as many contacts as in CONTACT | {:.0} % |", 100.0 * share));
-    assert_told(&format!("forces are off by {least:.2} to {most:.2} of μ N"));
+    assert_told(PAGE, &format!("20 to 30 degrees | {a:.3}, {b:.3}, {c:.3}, {d:.3} |"));
+    let [mean, p95] = heights;
+    assert_told(PAGE, &format!("mean and 95th percentile | {mean:.1} µm, {p95:.1} µm |"));
+    assert_told(PAGE, &format!("as many contacts as in CONTACT | {:.0} % |", 100.0 * share));
+    assert_told(PAGE, &format!("forces are off by {least:.2} to {most:.2} of μ N"));
 }
 
 /// A cone on a round head is Hertz's contact: radii `r/cos a` along and the head's across.
@@ -730,16 +720,13 @@ fn manchester_benchmark_is_that_of_contact() {
     println!("forces {forces:.4?} of mu N");
     assert!(y[0] < 0.15 && angle[0] < 0.15 && load[0] < 2e-3);
     assert!(area[0] < 0.03 && peak[0] < 0.015 && forces[0] < 0.02);
-    assert_told(&format!(
-        "place of contact {:.2} mm, angle {:.2} degrees, load {:.2} %, area {:.1} %, peak pressure \
-         {:.1} %, forces {:.3} of μ N",
-        y[0],
-        angle[0],
-        100.0 * load[0],
-        100.0 * area[0],
-        100.0 * peak[0],
-        forces[0]
-    ));
+    let [load, area, peak] = [load, area, peak].map(|[mean, _]| 100.0 * mean);
+    let words = format!(
+        "place of contact {:.2} mm, angle {:.2} degrees, load {load:.2} %, area {area:.1} %, peak \
+         pressure {peak:.1} %, forces {:.3} of μ N",
+        y[0], angle[0], forces[0]
+    );
+    assert_told(PAGE, &words);
 }
 
 /// A wheel pair in single precision.
@@ -903,10 +890,8 @@ fn a_wheel_needs_strip() {
         let (x, y) = (fx + number(row, "FX_N"), fy + number(row, "FY_N"));
         x.hypot(y) / (0.3 * number(row, "normal_force_N"))
     });
-    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/models.md");
-    let page = std::fs::read_to_string(page).unwrap();
     let words = format!("TOTAL is off by {total:.2} of μ N, that of STRIP by {strip:.2}");
-    assert!(page.contains(&words), "docs/models.md: {words}");
+    assert_told("docs/models.md", &words);
     assert!(strip < 0.03 && total > 2.0 * strip, "{strip} {total}");
 }
 

@@ -393,13 +393,10 @@ fn conicity_under_load_is_that_of_zero_moment() {
         let (velocity, _) = curve.motion(&at(shift, 0.0), &Velocity::default()).unwrap();
         stand.settle(&at(shift, 0.0), &velocity, &loads).unwrap().forces.wrench.moment[2]
     };
-    let (mut low, mut high) = (-2e-3, 0.0);
-    assert!(moment(low) * moment(high) < 0.0);
-    let sign = moment(low).signum();
-    for _ in 0..20 {
-        let middle = 0.5 * (low + high);
-        if moment(middle) * sign > 0.0 { low = middle } else { high = middle }
-    }
+    let ends = [-2e-3, 0.0];
+    let [first, last] = ends.map(&mut moment);
+    assert!(first * last < 0.0);
+    let [low, _] = bisect(ends, 2e-9, |curvature| moment(curvature) * first > 0.0);
     let conicity = -HALF * RADIUS * low / shift;
     let length = std::f64::consts::TAU * (HALF * RADIUS / conicity).sqrt();
     println!("zero moment: conicity {conicity:.4}, wave {length:.3} m");
@@ -407,45 +404,37 @@ fn conicity_under_load_is_that_of_zero_moment() {
     assert_relative_eq!(length, 8.6, max_relative = 0.03);
 }
 
-fn columns(name: &str) -> Vec<Vec<f64>> {
-    let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
-    let rows: Vec<csv::StringRecord> =
-        csv::Reader::from_path(path).unwrap().records().map(Result::unwrap).collect();
-    let width = rows[0].len();
-    (0..width).map(|i| rows.iter().map(|row| row[i].parse().unwrap()).collect()).collect()
-}
-
 /// EN 15302: the integral of the norm's radius differences gives the norm's conicity, and kstrip's
 /// own geometry is within the limits but where the wheel jumps from tread to flange.
 #[test]
 fn conicity_is_within_the_limits_of_the_norm() {
-    let limits = columns("en_conicity");
-    let norm = columns("en_difference");
-    let metres = |list: &[f64]| list.iter().map(|x| x * 1e-3).collect::<Vec<f64>>();
+    let limits = numbers::<7>("wheel_rail/en_conicity.csv");
+    let norm = numbers::<3>("wheel_rail/en_difference.csv");
+    let metres = |column: usize| norm.iter().map(|row| row[column] * 1e-3).collect::<Vec<f64>>();
     let shifts: Vec<f64> = (-78..=78).map(|i| f64::from(i) * 0.1e-3).collect();
     for (wheel, column, wanted) in [("en_wheel_a", 1, 66), ("en_wheel_h", 4, 62)] {
         let mut stand = Stand::new(profile("en_rail"), profile(wheel), HALF_GAUGE + 32.5e-3);
         let own = stand.differences(&shifts, false);
-        let given = [metres(&norm[0]), metres(&norm[1 + column / 4])];
+        let given = [metres(0), metres(1 + column / 4)];
         let (given, own) = (
             RadiusDifference::new(&given[0], &given[1]).unwrap(),
             RadiusDifference::new(&shifts, &own).unwrap(),
         );
         let mut within = 0;
-        for (i, amplitude) in limits[0].iter().enumerate() {
-            let [exact, upper, lower] = [0, 1, 2].map(|k| limits[column + k][i]);
+        for row in &limits {
+            let (amplitude, [exact, upper, lower]) = (row[0], [0, 1, 2].map(|k| row[column + k]));
             let wave = own.wave(amplitude * 1e-3, 2.0 * HALF, RADIUS).unwrap();
             if (lower..=upper).contains(&wave.conicity) {
                 within += 1;
             } else {
                 println!("{wheel} {amplitude} mm: {:.4}, {lower} to {upper}", wave.conicity);
             }
-            if *amplitude < 6.75 {
+            if amplitude < 6.75 {
                 let wave = given.wave(amplitude * 1e-3, 2.0 * HALF, RADIUS).unwrap();
                 assert!((wave.conicity - exact).abs() < 0.0011, "{amplitude} {wave:?} {exact}");
             }
         }
-        println!("{wheel}: {within} of {}", limits[0].len());
+        println!("{wheel}: {within} of {}", limits.len());
         assert!(within >= wanted, "{wheel}: {within}");
     }
     let radii = RadiusDifference::new(&[-1e-3, 1e-3], &[-1e-4, 1e-4]).unwrap();
@@ -539,20 +528,18 @@ fn lateral_forces_balance_a_curve() {
     for (speed, lateral) in [(balance, -5e-3), (22.0, -5e-3)] {
         let curve = Curve { speed, curvature, cant, gravity: 0.0 };
         // the yaw at which the lateral force is the one that is missing
-        let mut rest = |yaw: f64, pitch: f64| {
-            let relative = Velocity { pitch, ..Velocity::default() };
-            let (velocity, weight) = curve.motion(&at(lateral, yaw), &relative).unwrap();
+        let mut rest = |yaw: f64| {
+            let still = Velocity::default();
+            let (velocity, weight) = curve.motion(&at(lateral, yaw), &still).unwrap();
             let loads = WheelsetLoads { vertical: mass * weight[2], ..LOAD };
             let found = stand.settle(&at(lateral, yaw), &velocity, &loads).unwrap();
             (found.forces, mass * weight[1])
         };
-        let (mut low, mut high) = (-8e-3, 8e-3);
-        for _ in 0..30 {
-            let middle = 0.5 * (low + high);
-            let (forces, weight) = rest(middle, 0.0);
-            if forces.wrench.force[1] + weight > 0.0 { high = middle } else { low = middle }
-        }
-        let (forces, weight) = rest(low, 0.0);
+        let [low, _] = bisect([-8e-3, 8e-3], 1.5e-11, |yaw| {
+            let (forces, weight) = rest(yaw);
+            forces.wrench.force[1] + weight <= 0.0
+        });
+        let (forces, weight) = rest(low);
         let sum: f64 = forces.rail.iter().map(|force| force[1]).sum();
         println!("{speed:.3} m/s: sum of Y {sum:.1} N, weight {weight:.1} N, yaw {low:.5}");
         assert!((sum - weight).abs() < 1.0);

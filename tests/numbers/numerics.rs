@@ -18,8 +18,7 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/numerics.csv");
-    let text = std::fs::read_to_string(path).expect("the reference");
+    let text = read("tests/data/numerics.csv");
     text.lines()
         .map(|line| {
             let mut words = line.split(',');

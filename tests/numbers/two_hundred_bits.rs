@@ -356,10 +356,10 @@ pub fn is_known(error: f64, stated: f64) -> bool {
 
 #[test]
 fn errors_are_the_known_ones() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/precise.csv");
+    let path = root().join("tests/data/precise.csv");
     let search = std::env::var("KSTRIP_WRITE_PRECISE");
     let search: Option<u32> = search.ok().map(|cases| cases.parse().expect("a number of cases"));
-    let known = if search.is_some() { String::new() } else { read(path) };
+    let known = if search.is_some() { String::new() } else { read(&path) };
     let mut text = String::new();
     println!(
         "| model | region | f64: force | moment | derivatives | f32: force | moment | derivatives |"
@@ -405,7 +405,7 @@ fn errors_are_the_known_ones() {
 /// (`make_numerics.py`).
 #[test]
 fn adhesion_lengths_agree_with_mpmath() {
-    let rows = read(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/numerics.csv"));
+    let rows = read("tests/data/numerics.csv");
     let mut compared = 0;
     for row in rows.lines().filter(|row| row.starts_with("kappa,")) {
         let numbers: Vec<f64> = row.split(',').skip(2).map(|x| x.parse().expect("x")).collect();
@@ -419,8 +419,4 @@ fn adhesion_lengths_agree_with_mpmath() {
     }
     assert_eq!(compared, 360);
     Precise::forget();
-}
-
-fn read(path: &str) -> String {
-    std::fs::read_to_string(path).expect("the known cases")
 }

@@ -18,19 +18,13 @@ fn distance(law: &Law, p: &[f64; 4], q: &[f64; 4]) -> f64 {
 }
 
 /// What is left of a change when its interval is halved into the half that changes more, and where.
-fn remaining(at: &dyn Fn(f64) -> Law, (mut low, mut high): (f64, f64), width: f64) -> (f64, f64) {
-    let law = at(low);
-    let (mut at_low, mut at_high) = (solve(&at(low)), solve(&at(high)));
-    while high - low > width {
-        let middle = 0.5 * (low + high);
-        let value = solve(&at(middle));
-        if distance(&law, &at_low, &value) > distance(&law, &value, &at_high) {
-            (high, at_high) = (middle, value);
-        } else {
-            (low, at_low) = (middle, value);
-        }
-    }
-    (distance(&law, &at_low, &at_high), low)
+fn remaining(at: &dyn Fn(f64) -> Law, ends: [f64; 2], width: f64) -> (f64, f64) {
+    let law = at(ends[0]);
+    let solved = |t: f64| solve(&at(t));
+    let distance = |p, q| distance(&law, &p, &q);
+    let (low, [below, above]) =
+        steepest(ends, ends.map(solved), width, |t| Some(solved(t)), distance);
+    (distance(below, above), low)
 }
 
 /// A sweep of `steps` to both sides without jump.
@@ -45,7 +39,7 @@ fn check_sweep(name: &str, steps: i32, at: impl Fn(f64) -> Law) {
         if moves[i] <= 3.0 * neighbour + 1e-9 {
             continue;
         }
-        let (jump, found) = remaining(&at, (place(i), place(i + 1)), STEP * 1e-6);
+        let (jump, found) = remaining(&at, [place(i), place(i + 1)], STEP * 1e-6);
         assert!(
             jump <= 0.03 * moves[i] + 1e-10,
             "{name}: jump of {jump:e} in a step of {:e} beside {neighbour:e} at {:?}",
@@ -90,15 +84,8 @@ fn threshold(at: &dyn Fn(f64) -> Law) -> Option<f64> {
             law.adheres(y, c).is_some()
         })
     };
-    let (mut low, mut high) = (0.0, 2.0);
-    if !sticks(low) || sticks(high) {
-        return None;
-    }
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if sticks(middle) { low = middle } else { high = middle }
-    }
-    Some(0.5 * (low + high))
+    let ends = [0.0, 2.0];
+    (ends.map(sticks) == [true, false]).then(|| bisect(ends, 2e-12, sticks)[0])
 }
 
 /// The adhesion interval appears and vanishes: sweeps of ξ, of η and of both through the threshold,
@@ -204,7 +191,7 @@ fn no_jump_is_found_by_bisection_along_random_paths() {
         let excess = |i: usize| changes[i] - 0.5 * (changes[i - 1] + changes[i + 1]);
         order.sort_by(|&i, &j| excess(j).total_cmp(&excess(i)));
         for &cell in order.iter().take(6) {
-            let (jump, low) = remaining(&at, (grid[cell], grid[cell + 1]), 1e-13);
+            let (jump, low) = remaining(&at, [grid[cell], grid[cell + 1]], 1e-13);
             worst = worst.max(jump);
             if jump > 5e-9 {
                 jumps.push(format!("{jump:.1e} at {:?}", at(low)));

@@ -15,25 +15,17 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/hertz.csv");
-    let mut reader = csv::Reader::from_path(path).unwrap();
-    let rows: Vec<Row> = reader
-        .records()
-        .map(|record| {
-            let record = record.unwrap();
-            let n: Vec<f64> = record.iter().map(|field| field.parse().unwrap()).collect();
-            Row {
-                single: n[0] == 1.0,
-                radii: [n[1], n[2], n[3], n[4]],
-                load: n[5],
-                modulus: n[6],
-                poisson: n[7],
-                expected: [n[8], n[9], n[10], n[11], n[12], n[13]],
-            }
-        })
-        .collect();
+    let row = |[single, a, b, c, d, load, modulus, poisson, expected @ ..]: [f64; 14]| Row {
+        single: single == 1.0,
+        radii: [a, b, c, d],
+        load,
+        modulus,
+        poisson,
+        expected,
+    };
+    let rows = numbers("hertz.csv");
     assert!(rows.len() > 60);
-    rows
+    rows.into_iter().map(row).collect()
 }
 
 fn radii([lower_x, lower_y, upper_x, upper_y]: [f64; 4]) -> Radii<f64> {
