@@ -1,6 +1,6 @@
 //! The cubic that has given values and slopes at two places (Hermite's interpolation).
 
-use crate::number::Arithmetic;
+use crate::number::{Arithmetic, Float, between};
 
 /// `c₀ + c₁ u + c₂ u² + c₃ u³`.
 #[derive(Clone, Copy, Debug)]
@@ -67,4 +67,37 @@ impl<T: Arithmetic> Cubic<T> {
             bend: (c2 + thrice) + (c2 + thrice),
         }
     }
+}
+
+/// Numbers at a place between two points, on the cubic that has the slopes of the parabolas through
+/// both and the next point on either side, where there is one.
+///
+/// ```text
+/// p = p₁ + u (p₂ − p₁) − u (1 − u) h² ((1 − u) D₁ + u D₂)
+/// D₂ = (p₃ − p₂ − (p₂ − p₁) d/h)/((h + d) max(d, least h)),   d = s₃ − s₂,   D₁ likewise
+/// ```
+///
+/// A point beside that is closer than `least h` counts less, so that it may come out of an end.
+pub(crate) fn between_parabolas<F: Float, const N: usize>(
+    [(from, before), (to, after)]: [(F, [F; N]); 2],
+    beside: [Option<(F, [F; N])>; 2],
+    least: F,
+    place: F,
+) -> [F; N] {
+    let length = to - from + F::TINY;
+    let share = ((place - from) / length).clamped(F::zero(), F::one());
+    let mut numbers = between(before, after, share);
+    let size = share * (F::one() - share) * length * length;
+    let ends = [(from, before, after, F::one() - share), (to, after, before, share)];
+    for (beside, (end, near, far, weight)) in beside.into_iter().zip(ends) {
+        let Some((place, outer)) = beside else { continue };
+        let distance = (place - end).abs();
+        let weight = size * weight / ((length + distance) * distance.max(length * least));
+        let ratio = distance / length;
+        let pairs = outer.into_iter().zip(near.into_iter().zip(far));
+        for (own, (outer, (near, far))) in numbers.iter_mut().zip(pairs) {
+            *own -= weight * (outer - near - (near - far) * ratio);
+        }
+    }
+    numbers
 }

@@ -1,8 +1,8 @@
 //! A curve through points, and equal chords of it.
 
 use super::KSTRIP_SURFACE_CAPACITY;
-use super::surface::{CurvePoint, Piece};
 use crate::number::Float;
+use crate::numerics::hermite::between_parabolas;
 
 /// Places of the curve between which the ends of chords are looked for: four for each chord.
 const PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
@@ -48,24 +48,8 @@ pub(super) trait Points<F: Float> {
         let (Some(from), Some(to)) = (get(k), get(k + 1)) else {
             return get(k).map_or([F::zero(); 2], |(_, point)| point);
         };
-        let chord = |(from, [y, z]): (F, [F; 2]), (to, [v, w]): (F, [F; 2])| {
-            [v - y, w - z].map(|rise| rise / (to - from))
-        };
-        let (middle, width) = (chord(from, to), to.0 - from.0);
-        // slope of the parabola: chords weighted with each other's lengths
-        let place = |(at, [y, z]): (F, [F; 2]), other: Option<(F, [F; 2])>| {
-            let [cosine, sine] = other.map_or(middle, |other| {
-                let length = (other.0 - at).abs();
-                let [[a, b], [c, d]] = [middle, chord((at, [y, z]), other)];
-                [[a, c], [b, d]]
-                    .map(|[own, other]| (own * length + other * width) / (length + width))
-            });
-            CurvePoint { y, z, cosine, sine }
-        };
-        let before = if k > 0 { get(k - 1) } else { None };
-        let u = ((length - from.0) / width).clamped(F::zero(), F::one());
-        let piece = Piece::new(place(from, before), place(to, get(k + 2)), width);
-        piece.at(u).map(|along| along.value)
+        let beside = [k.checked_sub(1), Some(k + 2)].map(|k| get(k?));
+        between_parabolas([from, to], beside, F::zero(), length)
     }
 
     /// Places of the curve: length, number of the point before, place.

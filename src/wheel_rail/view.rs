@@ -11,7 +11,8 @@ use crate::normal::cells::{Cells, Given};
 use crate::normal::parabola::STEPS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
-use crate::number::{Dual, Float, add, are_finite, ascend, at, between};
+use crate::number::{Dual, Float, add, are_finite, ascend, at};
+use crate::numerics::hermite::between_parabolas;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
 
@@ -80,38 +81,16 @@ impl<'a, F: Float> View<'a, F> {
         PointMoves::new(self.lists, rail, &self.position, left != 0, reach)
     }
 
-    /// `x`, `y`, `z` and the angle of the gap at a place, on cubics with the slopes of the
-    /// parabolas through three points: their derivatives are continuous too.
-    ///
-    /// ```text
-    /// p = p₁ + u (p₂ − p₁) − u (1 − u) h² ((1 − u) D₁ + u D₂)
-    /// D₂ = (p₃ − p₂ − (p₂ − p₁) d/h)/((h + d) max(d, h/4)),   d = s₃ − s₂,   D₁ likewise
-    /// ```
-    ///
-    /// The last of the points, beside which there is none, counts twice: `D` is 0 there, and grows
-    /// with the distance `d` of a point that comes.
+    /// `x`, `y`, `z` and the angle of the gap at a place, on [`between_parabolas`]: their
+    /// derivatives are continuous too. A point at the end grows its parabola with its distance from
+    /// the next.
     pub fn at(&self, place: F) -> [F; 4] {
         let [along, ..] = self.lists;
         let last = along.len().saturating_sub(1);
         let next = along.partition_point(|along| *along < place).min(last).max(1);
-        let [(from, before), (to, after)] = [next - 1, next].map(|k| self.point(k));
-        let beside = [next.saturating_sub(2), (next + 1).min(last)].map(|k| self.point(k));
-        let length = to - from + F::TINY;
-        let share = ((place - from) / length).clamped(F::zero(), F::one());
-        let mut members = between(before, after, share);
-        let size = share * (F::one() - share) * length * length;
-        let ends = [(from, before, after, F::one() - share), (to, after, before, share)];
-        for ((place, outer), (end, near, far, weight)) in beside.into_iter().zip(ends) {
-            let distance = (place - end).abs();
-            let weight = size * weight / ((length + distance) * distance.max(length.times(0.25)));
-            let ratio = distance / length;
-            for ((own, outer), (near, far)) in
-                members.iter_mut().zip(outer).zip(near.into_iter().zip(far))
-            {
-                *own -= weight * (outer - near - (near - far) * ratio);
-            }
-        }
-        members
+        let ends = [next - 1, next].map(|k| self.point(k));
+        let beside = [next.checked_sub(2), Some(next + 1).filter(|k| *k <= last)];
+        between_parabolas(ends, beside.map(|k| Some(self.point(k?))), F::of(0.25), place)
     }
 
     /// Length, and these members, of a point where it has moved.

@@ -347,7 +347,8 @@ fn contacts_far_apart_do_not_disturb_each_other() {
                 over.position.vertical = 3.8e-4 + 1e-6 * f64::from(k);
                 over.solve(&mut memory).unwrap();
                 let flange = memory.contacts[0];
-                assert!(flange.angle < -1.2 && flange.share == 1.0, "{flange:?}");
+                let whole = (flange.share - 1.0).abs() <= f64::EPSILON;
+                assert!(flange.angle < -1.2 && whole, "{flange:?}");
                 flange.normal_force
             })
             .collect();
