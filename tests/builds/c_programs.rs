@@ -24,12 +24,16 @@ fn numbers(line: &str) -> Vec<f64> {
         .collect()
 }
 
-/// The numbers of the only line that starts like this.
+/// The numbers of the lines that start like this.
+fn lines_of(text: &str, start: &str) -> Vec<Vec<f64>> {
+    text.lines().filter(|line| line.trim_start().starts_with(start)).map(numbers).collect()
+}
+
+/// Those of the only one.
 fn line_of(text: &str, start: &str) -> Vec<f64> {
-    let lines: Vec<&str> =
-        text.lines().filter(|line| line.trim_start().starts_with(start)).collect();
-    assert_eq!(lines.len(), 1, "lines that start with {start:?}");
-    numbers(lines[0])
+    let lines: [Vec<f64>; 1] = lines_of(text, start).try_into().expect(start);
+    let [line] = lines;
+    line
 }
 
 /// A number that was printed with so many decimals.
@@ -49,9 +53,7 @@ fn assert_close(value: f64, exact: f64, tolerance: f64, what: &str) {
 fn wheel_rail_prints_the_right_patch_forces_and_map() {
     let text = run_c("c_examples/01_wheel_rail.c");
 
-    let flat = f64::INFINITY;
-    let radii = Radii { lower_x: flat, lower_y: 0.3, upper_x: 0.46, upper_y: flat };
-    let ellipse = hertz(&radii, 80e3, 82e9, 0.28).expect("an ellipse");
+    let ellipse = hertz(&radii([FLAT, 0.3, 0.46, FLAT]), 80e3, 82e9, 0.28).expect("an ellipse");
     let (a, b, p0, approach) = (ellipse.a, ellipse.b, ellipse.peak_pressure, ellipse.approach);
     let patch = line_of(&text, "a = ");
     assert_printed(patch[0], a * 1e3, 6, "a");
@@ -487,13 +489,12 @@ fn hunting_starts_at_the_eigenvalue_and_ends_in_a_cycle() {
 #[test]
 fn standstill_holds_and_reverses() {
     let text = run_c("c_examples/10_standstill.c");
-    let held: Vec<Vec<f64>> =
-        text.lines().filter(|line| line.starts_with("held:")).map(numbers).collect();
+    let held = lines_of(&text, "held:");
     assert_eq!(held.len(), 2, "{text}");
     for drift in held.iter().flatten() {
         assert!(*drift > 0.0 && *drift < 10.0, "{text}");
     }
-    let last = text.lines().rfind(|line| line.starts_with("20 s:")).map(numbers).unwrap();
+    let last = lines_of(&text, "20 s:").pop().unwrap();
     // (6000 - 8150 9.81/50)/(8150 + 400) over four seconds
     assert!((last[2] / 2.0589 - 1.0).abs() < 2e-3, "{text}");
 }
@@ -504,8 +505,7 @@ fn falling_friction_has_a_maximum_and_sticks_and_slips() {
     let text = run_c("c_examples/07_falling_friction.c");
     let law = falling(0.4, 0.4, 0.6, 10.0, 0.5);
     let options = Options { model: Model::Total, strips: StripCount::default() };
-    let curve: Vec<Vec<f64>> =
-        text.lines().filter(|line| line.starts_with("curve ")).map(numbers).collect();
+    let curve = lines_of(&text, "curve ");
     assert!(curve.len() > 40);
     for row in &curve {
         let [slip, force, slope, friction] = row[..] else { panic!("{row:?}") };

@@ -33,9 +33,7 @@ fn example_prints_what_rust_computes() {
     let text = &texts[0];
     assert!(texts.iter().all(|other| other == text), "{texts:?}");
 
-    let flat = f64::INFINITY;
-    let radii = Radii { lower_x: flat, lower_y: 0.30, upper_x: 0.46, upper_y: flat };
-    let patch = hertz(&radii, 80e3, 82e9, 0.28).expect("an ellipse");
+    let patch = hertz(&radii([FLAT, 0.3, 0.46, FLAT]), 80e3, 82e9, 0.28).expect("an ellipse");
     let contact = Contact { a: patch.a, b: patch.b, ..C0 };
     let motion = creep(1e-3, 0.5e-3, 0.4);
     let close = |printed: f64, exact: f64, decimals: i32| {

@@ -40,12 +40,7 @@ macro_rules! everything {
     ($float:ty) => {{
         let steel = Material::<$float> { shear_modulus: 82e9, poisson_ratio: 0.28 };
         let pair = combine(&steel, &steel).unwrap();
-        let radii = Radii {
-            lower_x: <$float>::INFINITY,
-            lower_y: 0.3,
-            upper_x: 0.46,
-            upper_y: <$float>::INFINITY,
-        };
+        let radii = radii([<$float>::INFINITY, 0.3, 0.46, <$float>::INFINITY]);
         let h = hertz(&radii, 80e3, pair.shear_modulus, pair.poisson_ratio).unwrap();
         let (a, b, shear_modulus, poisson_ratio) =
             (h.a, h.b, pair.shear_modulus, pair.poisson_ratio);

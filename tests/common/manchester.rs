@@ -81,6 +81,18 @@ pub fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
     surface
 }
 
+/// A profile of `2 n + 1` points at these distances [m] across.
+pub fn drawn(n: i32, step: f64, height: impl Fn(f64) -> f64) -> Box<Surface<f64>> {
+    let y: Vec<f64> = (-n..=n).map(|i| f64::from(i) * step).collect();
+    let z: Vec<f64> = y.iter().map(|y| height(*y)).collect();
+    prepared(&y, &z)
+}
+
+/// The height of a round rail head of a radius [m].
+pub fn round_head(radius: f64) -> impl Fn(f64) -> f64 {
+    move |y| radius - (radius * radius - y * y).sqrt()
+}
+
 /// A right wheel of a radius [m], of steel on steel, with friction 0.3.
 pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
     let (shear_modulus, poisson_ratio, friction) = (82e9, 0.28, 0.3);

@@ -2,11 +2,11 @@
 
 pub use crate::halving::{bisect, steepest};
 pub use crate::header;
-pub use crate::manchester::{self, points, prepared, steel, zeroed};
+pub use crate::manchester::{self, drawn, points, prepared, round_head, steel, zeroed};
 pub use crate::random::Random;
 pub use crate::reference::numbers;
 pub use crate::single::single_motion;
-pub use crate::theory::{self, MODELS, contact, creepage, options};
+pub use crate::theory::{self, MODELS, any_contact, contact, creepage, options};
 pub use crate::toolchain::{
     assert_told, cpp_compilers, has, output_of, read, root, run_cpp, run_source, say, scratch,
 };
@@ -73,6 +73,14 @@ pub const fn creep<F>(longitudinal: F, lateral: F, spin: F) -> Creepage<F> {
     Creepage { longitudinal, lateral, spin }
 }
 
+/// A radius of a body that is straight.
+pub const FLAT: f64 = f64::INFINITY;
+
+/// Of the lower body along and across, and of the upper one.
+pub const fn radii<F: Copy>([lower_x, lower_y, upper_x, upper_y]: [F; 4]) -> Radii<F> {
+    Radii { lower_x, lower_y, upper_x, upper_y }
+}
+
 /// Friction that falls with the slip, of clean bodies.
 pub const fn falling(
     friction: f64,
@@ -95,6 +103,17 @@ pub const fn sixteen(model: Model) -> Options {
 #[track_caller]
 pub fn solved<F: Float>(c: &Contact<F>, m: &Creepage<F>, o: &Options) -> Solution<F> {
     forces_of_contact(c, m, o).unwrap()
+}
+
+/// `Fx`, `Fy`, `Mz`.
+pub const fn force_and_moment<F: Copy>(s: &Solution<F>) -> [F; 3] {
+    [s.fx, s.fy, s.mz]
+}
+
+/// The same divided by `μ N` and `μ N √(ab)`.
+pub fn normalised<F: Float>(c: &Contact<F>, s: &Solution<F>) -> [F; 3] {
+    let bound = c.friction * c.normal_force;
+    [s.fx / bound, s.fy / bound, s.mz / (bound * (c.a * c.b).sqrt())]
 }
 
 /// STRIP under constant friction.

@@ -20,6 +20,11 @@ pub fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
     Contact { a, b, normal_force: 1e9 * 2.0 * PI * a * b / 3.0, poisson_ratio, ..C0 }
 }
 
+/// Of any shape and any Poisson's ratio.
+pub fn any_contact(random: &mut Random) -> Contact<f64> {
+    contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
+}
+
 /// The strip of a field of the 1967 theory.
 pub fn strip_at(field: &Field<f64>, y: f64) -> Option<Strip<f64>> {
     match field.strip_at(y)? {
@@ -46,9 +51,8 @@ pub fn solve(law: &Law) -> [f64; 4] {
     let motion = creepage(&contact, law.xi, law.eta, law.psi);
     let model = if law.continuous { Model::Strip1967Continuous } else { Model::Strip1967 };
     let s = solved(&contact, &motion, &sixteen(model));
-    let bound = contact.friction * contact.normal_force;
-    let mean = (contact.a * contact.b).sqrt();
-    let answer = [s.fx / bound, s.fy / bound, s.mz / (bound * mean), s.adhesion];
+    let [fx, fy, mz] = normalised(&contact, &s);
+    let answer = [fx, fy, mz, s.adhesion];
     // Maxima of errors would pass over a NaN
     assert!(answer.iter().all(|v| v.is_finite()), "{law:?}: {answer:?}");
     answer

@@ -27,8 +27,7 @@ fn hash_hertz<F: Bits>(hash: &mut Hash) {
         let round = 1.0 + size(i, 7, [1e-6, 1e-4, 1e-2]);
         let upper_y = if i % 4 == 0 { upper_x * round } else { of(9) };
         let lower_y = if i % 4 == 0 { lower_x } else { lower_y };
-        let [lower_x, lower_y, upper_x, upper_y] = [lower_x, lower_y, upper_x, upper_y].map(F::of);
-        let radii = Radii { lower_x, lower_y, upper_x, upper_y };
+        let radii = radii([lower_x, lower_y, upper_x, upper_y].map(F::of));
         let pair = CombinedMaterial {
             shear_modulus: F::of(82e9),
             poisson_ratio: part(draw(i, 11, 50), 100.0),
@@ -292,6 +291,17 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
     }
 }
 
+/// The profile that is prepared from points `y, z`, with a step and a smoothing length.
+fn hash_points<F: Bits>(hash: &mut Hash, points: &[[f64; 2]], lengths: [f64; 2]) {
+    let [y, z] = [0, 1].map(|k| points.iter().map(|of| F::of(of[k])).collect::<Vec<_>>());
+    let [step, smoothing] = lengths.map(F::of);
+    let mut surface = zeroed::<Surface<F>>();
+    let found = surface.prepare(&y, &z, step, smoothing);
+    if hash.status(found.map(|warning| ((), warning))).is_some() {
+        hash_surface(hash, &surface);
+    }
+}
+
 /// Profiles that scatter in both axes, of which a part may be scanned twice.
 fn hash_scans<F: Bits>(hash: &mut Hash) {
     for i in 0..24 {
@@ -303,25 +313,13 @@ fn hash_scans<F: Bits>(hash: &mut Hash) {
             let y = (f64::from(k) / f64::from(count) - 0.5) * 0.07 + noise * swing(i, 1000 + n);
             points.push([y, y * y / 0.6 + noise * swing(i, 3000 + n)]);
         }
-        let [y, z] = [0, 1].map(|k| points.iter().map(|of| F::of(of[k])).collect::<Vec<_>>());
-        let mut surface = zeroed::<Surface<F>>();
-        let smoothing = F::of([0.0, 1e-3][draw(i, 6, 2) as usize]);
-        let found = surface.prepare(&y, &z, F::zero(), smoothing);
-        if hash.status(found.map(|warning| ((), warning))).is_some() {
-            hash_surface(hash, &surface);
-        }
+        hash_points::<F>(hash, &points, [0.0, [0.0, 1e-3][draw(i, 6, 2) as usize]]);
     }
     // (from a smooth line to one that turns too much)
     for i in 0..36 {
         let height = (60.0 + 2.0 * f64::from(i)) * 1e-3 * 2e-4;
-        let y: Vec<F> = (0..400).map(|n| F::of((f64::from(n) - 200.0) * 2e-4)).collect();
-        let z: Vec<F> =
-            (0..400).map(|n| F::of(if n % 2 == 0 { height } else { -height })).collect();
-        let mut surface = zeroed::<Surface<F>>();
-        let found = surface.prepare(&y, &z, F::zero(), F::zero());
-        if hash.status(found.map(|warning| ((), warning))).is_some() {
-            hash_surface(hash, &surface);
-        }
+        let point = |n| [(f64::from(n) - 200.0) * 2e-4, if n % 2 == 0 { height } else { -height }];
+        hash_points::<F>(hash, &(0..400).map(point).collect::<Vec<_>>(), [0.0; 2]);
     }
 }
 
@@ -352,12 +350,7 @@ fn hash_few_points<F: Bits>(hash: &mut Hash) {
         }
         let step = if u() < 0.5 { 0.0 } else { 2e-4 + 2e-3 * u() };
         let smoothing = if u() < 0.4 { 0.0 } else { 4e-3 * u() };
-        let [y, z] = [0, 1].map(|k| points.iter().map(|p| F::of(p[k])).collect::<Vec<_>>());
-        let mut surface = zeroed::<Surface<F>>();
-        let found = surface.prepare(&y, &z, F::of(step), F::of(smoothing));
-        if hash.status(found.map(|warning| ((), warning))).is_some() {
-            hash_surface(hash, &surface);
-        }
+        hash_points::<F>(hash, &points, [step, smoothing]);
     }
 }
 

@@ -144,13 +144,9 @@ fn strips_behind_a_layer_are_finite() {
     ]);
 }
 
-fn of(model: Model, strips: StripCount) -> Options {
-    Options { model, strips }
-}
-
 fn solved<F: Float>(model: Model, numbers: [F; 10]) -> Result<Solution<F>, Error> {
     let (contact, creepage) = problem(numbers);
-    forces_of_contact(&contact, &creepage, &of(model, StripCount::Sixteen))
+    forces_of_contact(&contact, &creepage, &sixteen(model))
 }
 
 /// Contacts and creepages that fuzzing found: numbers on the way were beyond the range, power was
@@ -168,7 +164,7 @@ fn numbers_at_the_ends_of_their_range() {
     assert_eq!(solved(Model::Strip, light), Err(Error::Overflow));
     let (tiny, rushing) =
         problem([2e-168, 1e-45, 3e38, 1e150, 0.25, 0.002, 1e150, 1e150, 0.0, 0.0]);
-    let field = Field::new(&tiny, &rushing, &of(Model::Strip, StripCount::Sixteen));
+    let field = Field::new(&tiny, &rushing, &sixteen(Model::Strip));
     assert_eq!(field.err(), Some(Error::Overflow));
     // linear theory: an infinite creepage force times a stiffness of zero, stiffness times lever
     // before a small creepage
@@ -231,7 +227,7 @@ fn numbers_at_the_ends_of_their_range() {
     let (needle, motion) =
         problem([a, b, n, g, nu, mu, 0.000634765625, 1.0, -42.9525146484375, 0.0]);
     for count in [StripCount::Four, StripCount::SixtyFour] {
-        let o = of(Model::Strip1967Continuous, count);
+        let o = options(Model::Strip1967Continuous, count);
         let [mut fy, mut size, mut mz] = [0.0_f64; 3];
         let mut add =
             |s: StripResult<f64>| (fy, mz, size) = (fy + s.fy, mz + s.mz, size + s.fy.abs());
@@ -248,7 +244,7 @@ fn derivatives_at_the_ends_of_the_range() {
     let wheel = [3.6e-3, 3.8e-2, 23e3, 63.5e9, 0.03, 0.11, 0.0, 2.4e-6, 0.0, 0.0];
     let (wheel, fading) = problem(wheel);
     // a spin below the smallest normal number
-    let reference = of(Model::Strip1967, StripCount::SixtyFour);
+    let reference = options(Model::Strip1967, StripCount::SixtyFour);
     let faded = Creepage { spin: 1.265e-321, ..fading };
     let (_, slopes) = solve_jacobian(&wheel, &faded, &reference).unwrap();
     let (_, without) = solve_jacobian(&wheel, &fading, &reference).unwrap();
@@ -259,7 +255,7 @@ fn derivatives_at_the_ends_of_the_range() {
             let [slopes, wanted] = [size, 1e-9].map(|x| {
                 let numbers = [6e-3, 5e-3, 8e4, 82e9, 0.28, 0.3, x, 0.1 * x, 3.0 * x, 0.0];
                 let (contact, motion) = problem(numbers);
-                solve_jacobian(&contact, &motion, &of(model, StripCount::Sixteen)).unwrap().1
+                solve_jacobian(&contact, &motion, &sixteen(model)).unwrap().1
             });
             assert!((slopes - wanted).norm() <= 1e-4 * wanted.norm(), "{size}: {slopes} {wanted}");
         }
@@ -268,14 +264,14 @@ fn derivatives_at_the_ends_of_the_range() {
     let needle = [0.04, 1.2e-6, 0.0, 82e9, 0.28, 0.3, -2e-3, -0.015, -9e-4, 0.0_f32];
     let (needle, motion) = problem(needle);
     for model in Model::ALL.into_iter().filter(|model| *model != Model::Linear) {
-        let o = of(model, StripCount::Sixteen);
+        let o = sixteen(model);
         let (result, slopes) = solve_jacobian(&needle, &motion, &o).unwrap();
         assert!(result.fx == 0.0 && result.mz == 0.0 && slopes.iter().all(|s| *s == 0.0));
     }
     // a moment that underflows had another sign of zero with derivatives
     let [a, b, g, nu, mu] = [2.4414062e-6, 7.1780203e-4, 3.1061554e11, 8.197403e-3, 7.785678e-3];
     let light = [a, b, 28033.732, g, nu, mu, -3.463707e-3, 1e-45, 1e-45, 0.0_f32];
-    let ((light, faint), o) = (problem(light), of(Model::Strip, StripCount::Four));
+    let ((light, faint), o) = (problem(light), options(Model::Strip, StripCount::Four));
     let (with, _) = solve_jacobian(&light, &faint, &o).unwrap();
     let bits = |r: Solution<f32>| [r.fx, r.fy, r.mz].map(f32::to_bits);
     assert_eq!(bits(with), bits(forces_of_contact(&light, &faint, &o).unwrap()));
@@ -283,9 +279,9 @@ fn derivatives_at_the_ends_of_the_range() {
     for model in Model::ALL {
         for (zero, count) in [(0.0, StripCount::Four), (-0.0, StripCount::SixtyFour)] {
             let rest = creep(0.0, zero, zero);
-            let (found, _) = solve_jacobian(&wheel, &rest, &of(model, count)).unwrap();
+            let (found, _) = solve_jacobian(&wheel, &rest, &options(model, count)).unwrap();
             let bits = |r: Solution<f64>| [r.fx, r.fy, r.mz, r.power, r.adhesion].map(f64::to_bits);
-            let plain = forces_of_contact(&wheel, &rest, &of(model, count)).unwrap();
+            let plain = forces_of_contact(&wheel, &rest, &options(model, count)).unwrap();
             assert_eq!(bits(found), bits(plain), "{model:?}");
         }
     }

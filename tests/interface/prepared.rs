@@ -60,7 +60,7 @@ fn prepared_contacts_warn_of_spin_from_the_same_place_on() {
     let mut random = Random::new(8);
     for n in 0..400 {
         let (a, pressure) = (4e-3 * random.log_between(0.1, 10.0), random.log_between(1e7, 7e9));
-        let load = pressure * std::f64::consts::PI * a * 4e-3 / 1.5;
+        let load = pressure * PI * a * 4e-3 / 1.5;
         let limit = (0.05 / (a * 4e-3).sqrt()).max(5.0 * pressure / (82e9 * a));
         let (share, warns) = [(0.99, false), (1.01, true)][n as usize % 2];
         let numbers = [a, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, share * limit, 0.0];
@@ -81,7 +81,7 @@ fn prepared_contacts_warn_of_spin_from_the_same_place_on() {
 fn prepared_contacts_warn_of_pressure_from_the_same_place_on() {
     for (share, warns) in [(0.99, false), (1.01, true)] {
         for spin in [0.0, 1e-3, -0.1] {
-            let load = share * 0.1 * 82e9 * std::f64::consts::PI * 6e-3 * 4e-3 / 1.5;
+            let load = share * 0.1 * 82e9 * PI * 6e-3 * 4e-3 / 1.5;
             let (contact, creepage) =
                 problem([6e-3, 4e-3, load, 82e9, 0.28, 0.3, 1e-4, 0.0, spin, 0.0]);
             let options = kstrip_options { model: 3, strips: 8 };

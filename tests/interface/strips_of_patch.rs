@@ -1,18 +1,15 @@
 //! Patches whose strips have creepages of their own: `kstrip_patch_evaluate_strips`.
 
 use kstrip_testing::names::*;
+use kstrip_testing::poison::{poisoned, untouched};
 use kstrip_testing::prelude::*;
-use std::slice::from_raw_parts;
 
-const MOTION: kstrip_creepage = creepage([8e-4, -6e-4, 0.1]);
+const MOTION: kstrip_creepage = creep(8e-4, -6e-4, 0.1);
+const REST: kstrip_creepage = creep(0.0, 0.0, 0.0);
 const STRIP: kstrip_options = kstrip_options { model: KSTRIP_MODEL_STRIP, strips: 16 };
 
-const fn creepage([longitudinal, lateral, spin]: [f64; 3]) -> kstrip_creepage {
-    kstrip_creepage { longitudinal, lateral, spin }
-}
-
 fn patch() -> kstrip_patch {
-    let contact = kstrip_contact { b: 4e-3, ..kstrip_testing::prelude::C0 };
+    let contact = kstrip_contact { b: 4e-3, ..C0 };
     let mut patch = MaybeUninit::uninit();
     assert_eq!(kstrip_patch_from_contact(Some(&contact), Some(&STRIP), Some(&mut patch)), 0);
     // SAFETY: status 0.
@@ -20,8 +17,6 @@ fn patch() -> kstrip_patch {
 }
 
 type Answer = (kstrip_result, kstrip_derivatives);
-
-const FILL: u8 = 0xA5;
 
 /// Status, and result and derivatives where it is not an error; else these keep their bytes. Of
 /// kstrip_patch_evaluate without creepages of strips.
@@ -32,16 +27,11 @@ fn evaluate(
     law: Option<&kstrip_friction>,
     options: &kstrip_options,
 ) -> (i32, Option<Answer>) {
-    let mut answer = MaybeUninit::<Answer>::uninit();
-    let place = answer.as_mut_ptr();
-    // SAFETY: inside of the place.
-    let outputs = unsafe {
-        place.write_bytes(FILL, 1);
-        kstrip_outputs {
-            result: (&raw mut (*place).0).cast(),
-            derivatives: (&raw mut (*place).1).cast(),
-            ..nowhere()
-        }
+    let (mut result, mut by) = ([poisoned()], [poisoned()]);
+    let outputs = kstrip_outputs {
+        result: result[0].as_mut_ptr(),
+        derivatives: by[0].as_mut_ptr(),
+        ..nowhere()
     };
     let (patch, motion) = (Some(patch), Some(motion));
     let (options, outputs) = (Some(options), Some(&outputs));
@@ -53,13 +43,11 @@ fn evaluate(
         }
     };
     if status < 0 {
-        // SAFETY: all bytes were written above.
-        let bytes = unsafe { from_raw_parts(place.cast::<u8>(), size_of::<Answer>()) };
-        assert!(bytes.iter().all(|byte| *byte == FILL));
+        assert!(untouched(&result) && untouched(&by));
         return (status, None);
     }
     // SAFETY: no error: both are written.
-    (status, Some(unsafe { answer.assume_init() }))
+    (status, Some(unsafe { (result[0].assume_init(), by[0].assume_init()) }))
 }
 
 fn found(
@@ -85,25 +73,23 @@ fn falling() -> kstrip_friction {
 /// What each strip sees of a rigid motion, as its own.
 fn of_rigid(patch: &kstrip_patch, motion: &kstrip_creepage) -> Vec<kstrip_creepage> {
     let kstrip_creepage { longitudinal, lateral, spin } = *motion;
-    let strips = patch.strips.iter().take(patch.count as usize);
-    strips
-        .map(|strip| {
-            creepage([longitudinal - spin * strip.y, lateral + spin * strip.centre_x, spin])
-        })
-        .collect()
+    let own = |strip: &kstrip_patch_strip| {
+        creep(longitudinal - spin * strip.y, lateral + spin * strip.centre_x, spin)
+    };
+    patch.strips.iter().take(patch.count as usize).map(own).collect()
 }
 
 #[test]
 fn creepages_of_strips_that_are_zero_change_no_bit() {
     let patch = patch();
-    let none = vec![creepage([0.0; 3]); patch.count as usize];
+    let none = vec![REST; patch.count as usize];
     let law = falling();
     for law in [None, Some(&law)] {
         let plain = numbers(&found(&patch, &MOTION, None, law));
         assert_eq!(numbers(&found(&patch, &MOTION, Some(&none), law)), plain);
         // the motion may also be all the strips' own
         let own = of_rigid(&patch, &MOTION);
-        let numbers = numbers(&found(&patch, &creepage([0.0; 3]), Some(&own), law));
+        let numbers = numbers(&found(&patch, &REST, Some(&own), law));
         for (number, expected) in numbers.iter().zip(&plain) {
             let off = (number - expected).abs();
             assert!(off < 1e-9 * (expected.abs() + 1.0), "{number} {expected}");
@@ -117,10 +103,8 @@ fn creepages_of_strips_that_are_zero_change_no_bit() {
 fn slip_that_varies_has_the_slopes_of_differences() {
     let patch = patch();
     let strips = &patch.strips[..patch.count as usize];
-    let own: Vec<_> = strips
-        .iter()
-        .map(|strip| creepage([strip.y * 0.2, -3e-2 * strip.y, 40.0 * strip.y]))
-        .collect();
+    let varied = |strip: &kstrip_patch_strip| creep(0.2 * strip.y, -3e-2 * strip.y, 40.0 * strip.y);
+    let own: Vec<_> = strips.iter().map(varied).collect();
     let law = falling();
     for law in [None, Some(&law)] {
         let (here, by) = found(&patch, &MOTION, Some(&own), law);
@@ -129,11 +113,10 @@ fn slip_that_varies_has_the_slopes_of_differences() {
         for k in 0..3 {
             let step = [1e-8, 1e-8, 1e-6][k];
             let [after, before] = [step, -step].map(|step| {
-                let kstrip_creepage { longitudinal, lateral, spin } = MOTION;
-                let mut moved = [longitudinal, lateral, spin];
-                moved[k] += step;
-                let (result, _) = found(&patch, &creepage(moved), Some(&own), law);
-                [result.fx, result.fy, result.mz]
+                let mut moved = MOTION;
+                let kstrip_creepage { longitudinal, lateral, spin } = &mut moved;
+                *[longitudinal, lateral, spin][k] += step;
+                force_and_moment(&found(&patch, &moved, Some(&own), law).0)
             });
             let largest = by.jacobian.iter().map(|row| row[k].abs()).fold(0.0, f64::max);
             for (row, (after, before)) in by.jacobian.iter().zip(after.iter().zip(before)) {
@@ -148,19 +131,18 @@ fn slip_that_varies_has_the_slopes_of_differences() {
 #[test]
 fn bad_creepages_of_strips_are_refused() {
     let good = patch();
-    let mut own = vec![creepage([1e-3, 0.0, 0.0]); good.count as usize];
+    let mut own = vec![creep(1e-3, 0.0, 0.0); good.count as usize];
     assert_eq!(evaluate(&good, &MOTION, Some(&own), None, &STRIP).0, 0);
     let total = kstrip_options { model: KSTRIP_MODEL_TOTAL, strips: 0 };
     let (status, _) = evaluate(&good, &MOTION, Some(&own), None, &total);
     assert_eq!(status, KSTRIP_ERROR_NOT_IN_MODEL);
     let crowded = kstrip_patch { count: u32::MAX, ..good };
-    let many = vec![creepage([0.0; 3]); kstrip::patch::KSTRIP_PATCH_CAPACITY];
+    let many = vec![REST; kstrip::patch::KSTRIP_PATCH_CAPACITY];
     assert!(evaluate(&crowded, &MOTION, Some(&many), None, &STRIP).0 < 0);
     for bad in [f64::NAN, f64::INFINITY] {
         for k in 0..3 {
-            let mut entries = [0.0; 3];
-            entries[k] = bad;
-            *own.last_mut().expect("strips") = creepage(entries);
+            let [x, y, spin] = std::array::from_fn(|i| if i == k { bad } else { 0.0 });
+            *own.last_mut().expect("strips") = creep(x, y, spin);
             let (status, _) = evaluate(&good, &MOTION, Some(&own), None, &STRIP);
             assert_eq!(status, KSTRIP_ERROR_NOT_FINITE);
         }

@@ -1,7 +1,7 @@
 //! Damping of the pressure, and the floor of the speed of a wheel.
 
 use crate::prelude::*;
-use crate::wheel_rail::{assert_derivatives, moved};
+use crate::wheel_rail::{assert_derivatives, assert_near, by_position, dot, moved, power};
 
 /// Damping \[s/m\].
 const DAMPING: f64 = 0.8;
@@ -16,9 +16,9 @@ fn on_two_points() -> (Stand, Position<f64>) {
 
 /// Velocity into the rail of each contact, with its share of the undamped load.
 fn approach(stand: &Stand, velocity: &Velocity<f64>) -> Vec<[f64; 2]> {
-    let speed = |normal: [f64; 6]| normal.iter().zip(rates(velocity)).map(|(n, v)| n * v).sum();
     let found = stand.memory.found().iter();
-    found.map(|contact| [speed(contact.normal), contact.share * contact.normal_force]).collect()
+    let speed = |contact: &WheelContact<f64>| dot(&contact.normal, &rates(velocity));
+    found.map(|contact| [speed(contact), contact.share * contact.normal_force]).collect()
 }
 
 /// Hunt and Crossley's factor on the load of each contact; and the power of the wrench is that of
@@ -36,8 +36,7 @@ fn pressure_grows_with_the_approach() {
             taken += damped * speed;
         }
         assert_relative_eq!(wrench.normal_force, load, max_relative = 1e-12);
-        let power: f64 = wrench.members().iter().zip(rates(&velocity)).map(|(w, v)| w * v).sum();
-        let rest = power + wrench.dissipation + taken;
+        let rest = power(&wrench, &velocity) + wrench.dissipation + taken;
         assert!(rest.abs() <= 1e-9 * 0.3 * 80e3 * 20.0, "{vertical}: {rest}");
         // (creep forces follow the damped pressure)
         let [fx, fy, _] = wrench.force;
@@ -90,16 +89,9 @@ fn derivatives_are_those_of_differences() {
         stand.falling = law;
         let pitch = -forward / 0.4603;
         let velocity = Velocity { forward, lateral: 1e-3, vertical, pitch, ..Velocity::default() };
-        let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
-        let mut by: Box<WrenchByPosition<f64>> = zeroed();
+        let slopes = stand.derivatives(&position, &velocity);
         let (scene, memory) = stand.split();
-        scene
-            .differentiate(
-                &BodyState { position, velocity },
-                memory,
-                Requested { by_velocity: Some(&mut slopes), by_position: Some(&mut by) },
-            )
-            .unwrap();
+        let (_, by) = by_position(&scene, position, velocity, memory);
         let scale = (forward * forward + 4e-4_f64).sqrt();
         assert_derivatives(&slopes.velocity, 0..6, (2e-7 * scale, 1e-3 / scale), |k, step| {
             stand.solve(&position, &moved(&velocity, k, step))
@@ -108,10 +100,7 @@ fn derivatives_are_those_of_differences() {
             let at = Position { vertical: position.vertical + step, ..position };
             stand.solve(&at, &velocity)
         });
-        let largest = by.vertical.iter().fold(0.0, |most: f64, slope| most.max(slope.abs()));
-        for (slope, expected) in by.vertical.iter().zip(difference(&plus, &minus, 2e-7)) {
-            assert!((slope - expected).abs() < 1e-3 * largest, "{slope} {expected}");
-        }
+        assert_near(&by.vertical, &difference(&plus, &minus, 2e-7), (1e-3, 0.0));
     }
 }
 

@@ -4,15 +4,9 @@ use crate::prelude::*;
 use kstrip::forces::derivatives;
 use kstrip_testing::single;
 
-/// Forces over μN and moment over μN√(ab) of a contact.
-fn over(c: &Contact<f64>, s: &Solution<f64>) -> [f64; 3] {
-    let unit = c.friction * c.normal_force;
-    [s.fx / unit, s.fy / unit, s.mz / (unit * (c.a * c.b).sqrt())]
-}
-
-/// The same for given parameters.
+/// Forces divided by `μ N` and moment by `μ N √(ab)`, for given parameters.
 fn forces(c: &Contact<f64>, p: [f64; 3], o: &Options) -> [f64; 3] {
-    over(c, &solved(c, &theory::creepage(c, p[0], p[1], p[2]), o))
+    normalised(c, &solved(c, &theory::creepage(c, p[0], p[1], p[2]), o))
 }
 
 /// d(fx, fy, mz)/d(ξ, η, ψ) from the derivatives with respect to the creepages.
@@ -63,10 +57,9 @@ fn check_models(
     next: impl Fn(&mut Random) -> [f64; 3],
 ) {
     let mut random = Random::new(seed);
-    let mut skipped = 0;
-    let mut worst = 0.0_f64;
+    let mut comparison = Comparison::default();
     for n in 0..points {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let c = any_contact(&mut random);
         let o = options(models[n % models.len()], StripCount::ALL[n / models.len() % 5]);
         let p = next(&mut random);
         let exact = slopes(&c, p, &o);
@@ -74,29 +67,20 @@ fn check_models(
         let size: [f64; 3] =
             std::array::from_fn(|i| exact[i].iter().fold(0.1, |m, d| d.abs().max(m)));
         for k in 0..3 {
-            let f = |t: f64| {
+            let at = |t: f64| {
                 let mut q = p;
                 q[k] += t;
                 forces(&c, q, &o)
             };
-            let Some(got) = trusted_differences(&f, &size) else {
-                skipped += 1;
-                continue;
-            };
-            for i in 0..3 {
-                let error = (got[i] - exact[i][k]).abs() / size[i];
-                worst = worst.max(error);
-                assert!(error < 1e-7, "{i} {k}: {exact:?}, is {got:?} at {p:?} {o:?} {c:?}");
-            }
+            let column = exact.map(|row| row[k]);
+            comparison.column(&at, column, size, 1e-7, &(k, p, o, c));
         }
     }
-    println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
-    assert!(skipped * 50 < 3 * points, "{skipped} of {} stencils met a breakpoint", 3 * points);
+    comparison.assert_few_kinks(50);
 }
 
 #[test]
 fn derivatives_at_rest_are_the_linear_slopes() {
-    use std::f64::consts::PI;
     for axis_ratio in [0.1, 1.0, 10.0] {
         let c = contact(axis_ratio, 0.28);
         for o in MODELS.map(sixteen) {
@@ -160,10 +144,9 @@ impl Change {
 #[test]
 fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
     let mut random = Random::new(67);
-    let (mut skipped, mut worst) = (0, 0.0_f64);
-    let points = 3_000;
-    for n in 0..points {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+    let mut comparison = Comparison::default();
+    for n in 0..3_000 {
+        let c = any_contact(&mut random);
         let o = options(Model::ALL[n % 5], StripCount::ALL[n / 5 % 5]);
         let size = random.log_between(1e-3, 3.0);
         let p = [0; 3].map(|_| size * random.between(-1.0, 1.0));
@@ -175,21 +158,12 @@ fn derivatives_by_load_and_friction_are_those_of_the_computed_forces() {
         assert_eq!(solution, solved(&c, &m, &o), "{o:?}");
         for change in [Change::Load, Change::Friction, Change::Hertz] {
             let exact = change.slope(&c, &d);
-            let f = |t: f64| over(&c, &solved(&change.of(&c, t), &m, &o));
-            let Some(got) = trusted_differences(&f, &exact.map(|slope| slope.abs().max(0.1)))
-            else {
-                skipped += 1;
-                continue;
-            };
-            for i in 0..3 {
-                let error = (got[i] - exact[i]).abs() / exact[i].abs().max(0.1);
-                worst = worst.max(error);
-                assert!(error < 1e-7, "{change:?} row {i}: {exact:?} {got:?} {p:?} {o:?} {c:?}");
-            }
+            let at = |t: f64| normalised(&c, &solved(&change.of(&c, t), &m, &o));
+            let size = exact.map(|slope| slope.abs().max(0.1));
+            comparison.column(&at, exact, size, 1e-7, &(change, p, o, c));
         }
     }
-    println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
-    assert!(skipped * 50 < 3 * points, "{skipped} stencils met a breakpoint");
+    comparison.assert_few_kinks(50);
 }
 
 /// Without friction the derivatives are one-sided: full sliding starts at once. A lost contact has
@@ -207,7 +181,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
                 assert_eq!((d.normal_force, d.friction), ([0.0; 3], [0.0; 3]));
                 continue;
             }
-            assert_eq!(([s.fx, s.fy, s.mz], d.jacobian), ([0.0; 3], [[0.0; 3]; 3]), "{model:?}");
+            assert_eq!((force_and_moment(&s), d.jacobian), ([0.0; 3], [[0.0; 3]; 3]), "{model:?}");
             if load == 0.0 {
                 assert_eq!(d, Derivatives::default(), "{model:?}");
                 continue;
@@ -221,7 +195,7 @@ fn derivatives_without_load_or_friction_are_those_of_sliding() {
             };
             let s = solved(&near, &m, &o);
             let size = near.friction * near.normal_force;
-            for (i, force) in [s.fx, s.fy, s.mz].into_iter().enumerate() {
+            for (i, force) in force_and_moment(&s).into_iter().enumerate() {
                 let unit = if i == 2 { full.a } else { 1.0 };
                 let expected = force / size;
                 let (by_load, by_friction) = (d.normal_force[i], d.friction[i]);

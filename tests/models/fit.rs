@@ -258,20 +258,16 @@ fn polachs_sets_are_met() {
             for x in creepages {
                 let w = x * rolling_speed;
                 let mu = friction * ((1.0 - ratio) * (-decay * w).exp() + ratio);
-                let eps = c.shear_modulus * std::f64::consts::PI * c.a * c.b * c11
-                    / (4.0 * c.normal_force * mu)
-                    * x;
-                let polach = 2.0 * mu / std::f64::consts::PI
-                    * (ka * eps / (1.0 + (ka * eps).powi(2)) + (ks * eps).atan());
+                let eps = c.shear_modulus * PI * c.a * c.b * c11 / (4.0 * c.normal_force * mu) * x;
+                let arc = (ks * eps).atan();
+                let polach = 2.0 * mu / PI * (ka * eps / (1.0 + (ka * eps).powi(2)) + arc);
                 let found =
                     friction::solve_with_law(&c, &along(x), &law, &total()).unwrap().solution;
                 errors.push((found.fx / c.normal_force - polach).abs() / friction);
             }
         }
     }
-    errors.sort_by(f64::total_cmp);
-    let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-    let (high, worst) = (errors[errors.len() * 95 / 100], errors[errors.len() - 1]);
+    let [mean, high, worst] = statistics(&errors);
     println!("Polach {mean:.4} {high:.4} {worst:.4}");
     assert!(mean < 0.018 && high < 0.037 && worst < 0.05, "{mean} {high} {worst}");
 }

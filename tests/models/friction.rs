@@ -19,12 +19,8 @@ pub fn with_slopes_under(
 /// Polach's dry rail at 20 m/s.
 const DRY: SlipFriction<f64> = falling(0.55, 0.4, 0.6, 20.0, 1.0);
 
-fn any_contact(random: &mut Random) -> Contact<f64> {
-    contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5))
-}
-
 /// From nearly linear to full sliding.
-fn any_motion(random: &mut Random, contact: &Contact<f64>, spin: f64) -> Creepage<f64> {
+pub fn any_motion(random: &mut Random, contact: &Contact<f64>, spin: f64) -> Creepage<f64> {
     let size = random.log_between(1e-2, 30.0);
     let [xi, eta, psi] = [0; 3].map(|_| size * random.between(-1.0, 1.0));
     theory::creepage(contact, xi, eta, (spin * psi).clamp(-2.0, 2.0))
@@ -162,8 +158,8 @@ fn slope_factor_stretches_the_creep_curve() {
 #[test]
 fn derivatives_follow_friction_and_slip() {
     let mut random = Random::new(73);
-    let (mut worst, mut skipped, points) = (0.0_f64, 0, 600);
-    for n in 0..points {
+    let mut comparison = Comparison::default();
+    for n in 0..600 {
         let c = any_contact(&mut random);
         let m = any_motion(&mut random, &c, 0.3);
         let o = any_options(n);
@@ -185,31 +181,22 @@ fn derivatives_follow_friction_and_slip() {
         let unit = theory::slip_unit(&c);
         let units = [unit, unit, unit / c.a];
         let rows = [bound, bound, bound * (c.a * c.b).sqrt()];
-        let size: [f64; 3] = std::array::from_fn(|i| {
-            (0..3).map(|k| (exact[(i, k)] * units[k] / rows[i]).abs()).fold(0.1, f64::max)
-        });
+        let exact = |i: usize, k: usize| exact[(i, k)] * units[k] / rows[i];
+        let size: [f64; 3] =
+            std::array::from_fn(|i| (0..3).map(|k| exact(i, k).abs()).fold(0.1, f64::max));
         for k in 0..3 {
-            let f = |t: f64| {
+            let at = |t: f64| {
                 let mut q = [m.longitudinal, m.lateral, m.spin];
                 q[k] += t * units[k];
-                let s = friction::solve_with_law(&c, &creep(q[0], q[1], q[2]), &law, &o)
-                    .unwrap()
-                    .solution;
+                let found = friction::solve_with_law(&c, &creep(q[0], q[1], q[2]), &law, &o);
+                let s = found.unwrap().solution;
                 [s.fx / rows[0], s.fy / rows[1], s.mz / rows[2]]
             };
-            let Some(got) = trusted_differences(&f, &size) else {
-                skipped += 1;
-                continue;
-            };
-            for i in 0..3 {
-                let error = (got[i] - exact[(i, k)] * units[k] / rows[i]).abs() / size[i];
-                worst = worst.max(error);
-                assert!(error < 1e-7, "{i} {k} {error:e} {law:?} {c:?} {m:?} {o:?}");
-            }
+            let exact = std::array::from_fn(|i| exact(i, k));
+            comparison.column(&at, exact, size, 1e-7, &(k, law, c, m, o));
         }
     }
-    println!("{skipped} of {} stencils skipped, worst {worst:e}", 3 * points);
-    assert!(skipped * 20 < 3 * points, "{skipped} stencils met a breakpoint");
+    comparison.assert_few_kinks(20);
 }
 
 /// Every sign change of `g(μ) − μ` on a fine grid, from above.

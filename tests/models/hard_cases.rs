@@ -483,7 +483,7 @@ fn power_bound_and_mirror_hold_to_rounding() {
     let mut random = Random::new(310);
     let (mut most, mut least, mut mirrored) = (0.0_f64, f64::INFINITY, 0);
     for n in 0..6_000 {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let c = any_contact(&mut random);
         let size = random.log_between(1e-3, 1e3);
         let [xi, eta] = [0; 2].map(|_| size * random.between(-1.0, 1.0));
         let xi = if n % 3 == 0 { 0.0 } else { xi };

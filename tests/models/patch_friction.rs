@@ -45,7 +45,7 @@ fn any_law(random: &mut Random) -> SlipFriction<f64> {
 fn elliptic_strips_give_the_answer_of_the_ellipse() {
     let mut random = Random::new(421);
     for i in 0..250 {
-        let c = contact(random.log_between(0.1, 10.0), random.between(0.0, 0.5));
+        let c = any_contact(&mut random);
         let count = StripCount::ALL[1 + i % 4];
         let p: [f64; 3] = std::array::from_fn(|_| random.sign() * random.log_between(1e-3, 4.0));
         let m = theory::creepage(&c, p[0], p[1], p[2].clamp(-2.0, 2.0));
@@ -124,12 +124,9 @@ fn the_slipping_patch_has_the_friction_of_its_slip() {
             let own = (1.0 - law.ratio) * (-law.decay * w).exp() + law.ratio;
             assert!((share - own).abs() < 4e-15, "{share} {own} {law:?}");
         }
-        let (mut fx, mut fy) = (0.0, 0.0);
-        solver::patch_strips(&slipping_view, &m, model, &mut |strip| {
-            fx += strip.fx;
-            fy += strip.fy;
-        })
-        .unwrap();
+        let strips = strips_of_patch(&slipping_view, &m, model);
+        let [fx, fy] =
+            [strips.iter().map(|s| s.fx).sum::<f64>(), strips.iter().map(|s| s.fy).sum()];
         assert!((fx - s.fx).abs() < 1e-11 * unit && (fy - s.fy).abs() < 1e-11 * unit);
         let field = PatchField::new(&slipping_view, &m, None, model).unwrap();
         for own in &patch.strips {
@@ -173,15 +170,13 @@ fn derivatives_follow_friction_and_slip() {
             continue;
         }
         let forces = |motion: &Creepage<f64>| {
-            let s = solve_patch_with_law(&view, motion, &law, model).unwrap().solution;
-            [s.fx, s.fy, s.mz]
+            let found = solve_patch_with_law(&view, motion, &law, model).unwrap();
+            force_and_moment(&found.solution)
         };
         let entry = |row, column| exact[(row, column)];
-        comparison.add(entry, &m, view.friction_bound(), forces, &(model, law, found));
+        comparison.patch(entry, &m, view.friction_bound(), forces, &(model, law, found));
     }
-    let Comparison { compared, kinks, worst } = comparison;
-    println!("{compared} compared, {kinks} left out, worst {worst:e}");
-    assert!(compared > 100 * kinks, "{compared} {kinks}");
+    comparison.assert_few_kinks(101);
 }
 
 /// No load, no friction, nothing left of friction, strips without friction: zero forces, no NaN.
@@ -254,7 +249,7 @@ type Way<'a> = (&'a dyn Fn(f64) -> Full, [f64; 3], f64);
 #[test]
 fn derivatives_by_load_and_friction() {
     let mut random = Random::new(428);
-    let (mut compared, mut kinks, mut worst) = (0, 0, 0.0_f64);
+    let mut comparison = Comparison::default();
     for i in 0..120 {
         let (patch, m, law) = (irregular(&mut random), motion(&mut random), any_law(&mut random));
         let law = if i % 2 == 0 { Some(&law) } else { None };
@@ -287,18 +282,9 @@ fn derivatives_by_load_and_friction() {
                 };
                 [s.fx / units[0], s.fy / units[1], s.mz / units[2]]
             };
-            let Some(got) = trusted_differences(&forces, &[1.0; 3]) else {
-                kinks += 1;
-                continue;
-            };
-            compared += 1;
-            for k in 0..3 {
-                let error = (got[k] - exact[k] * size / units[k]).abs();
-                worst = worst.max(error);
-                assert!(error < 1e-10, "way {number}, force {k}: {got:?} {exact:?} {law:?}");
-            }
+            let exact = std::array::from_fn(|k| exact[k] * size / units[k]);
+            comparison.column(&forces, exact, [1.0; 3], 1e-10, &(number, law));
         }
     }
-    println!("{compared} compared, {kinks} left out, worst {worst:.1e}");
-    assert!(compared > 50 * kinks, "{compared} {kinks}");
+    comparison.assert_few_kinks(51);
 }

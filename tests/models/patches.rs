@@ -26,6 +26,28 @@ pub fn irregular(random: &mut Random) -> Full {
     Full::from_strips(&strips, 82e9, 0.28).unwrap()
 }
 
+/// Ellipses side by side, with so many strips each, about their centres.
+pub fn side_by_side(ellipses: &[(Contact<f64>, f64)], count: StripCount) -> Full {
+    let alone = |c: &Contact<f64>| Full::from_ellipse(c, count).unwrap();
+    let mut strips = Vec::new();
+    for (c, centre) in ellipses {
+        let shifted = |strip: &PatchStrip<f64>| PatchStrip { y: strip.y + centre, ..*strip };
+        strips.extend(alone(c).strips.iter().map(shifted));
+    }
+    Full { scale: alone(&ellipses[0].0).scale, ..Full::from_strips(&strips, 82e9, 0.28).unwrap() }
+}
+
+/// The results of all strips.
+pub fn strips_of_patch(
+    patch: &PatchView<f64>,
+    motion: &Creepage<f64>,
+    model: Model,
+) -> Vec<StripResult<f64>> {
+    let mut found = Vec::new();
+    solver::patch_strips(patch, motion, model, &mut |strip| found.push(strip)).unwrap();
+    found
+}
+
 /// From adhesion to sliding.
 pub fn motion(random: &mut Random) -> Creepage<f64> {
     let size = random.log_between(1e-5, 1e-1);

@@ -48,16 +48,14 @@ fn drawn(n: i32, end: f64, height: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) 
 fn paraboloids_are_those_of_hertz() {
     for (rolling, across) in [(0.46, 0.3), (0.46, 0.46), (0.46, 0.05), (0.46, 3.0), (0.01, 0.5)] {
         for load in [1.0, 80e3] {
-            let flat = f64::INFINITY;
-            let radii = Radii { lower_x: flat, lower_y: across, upper_x: rolling, upper_y: flat };
-            let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
+            let exact = hertz(&radii([FLAT, across, rolling, FLAT]), load, 82e9, 0.28).unwrap();
             let (y, distance) = parabola(across, 4.0 * exact.b, 200);
             let (patch, found) = built(&y, &distance, &pressed(rolling, load), SIXTEEN);
             let area = patch.view().unwrap().area();
             let longest = patch.strips.iter().map(|s| s.half_length).fold(0.0, f64::max);
             let deviations = [
                 longest / exact.a,
-                area / (std::f64::consts::PI * exact.a * exact.b),
+                area / (PI * exact.a * exact.b),
                 found.peak_pressure / exact.peak_pressure,
                 found.approach / exact.approach,
                 found.stiffness * exact.approach / load / 1.5,

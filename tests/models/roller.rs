@@ -16,10 +16,8 @@ fn on_roller(rail_radius: f64, wheel: impl Fn(f64) -> f64) -> Stand {
 
 /// The same on a head of another radius, with points at other distances.
 fn on_head(head: f64, step: f64, rail_radius: f64, wheel: impl Fn(f64) -> f64) -> Stand {
-    let y: Vec<f64> = (-100..=100).map(|i| f64::from(i) * step).collect();
-    let head: Vec<f64> = y.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
-    let wheel: Vec<f64> = y.iter().map(|y| wheel(*y)).collect();
-    let mut stand = Stand::new(prepared(&y, &head), prepared(&y, &wheel), RADIUS);
+    let (head, wheel) = (drawn(100, step, round_head(head)), drawn(100, step, wheel));
+    let mut stand = Stand::new(head, wheel, RADIUS);
     stand.pair.rail_radius = rail_radius;
     stand
 }
@@ -53,13 +51,8 @@ fn a_cone_on_a_roller_is_that_of_hertz() {
         under_load(&mut stand, Position::default());
         let contact = &stand.memory.found()[0];
         let cosine = contact.angle.cos();
-        let along = if rail_radius > 0.0 { rail_radius / cosine } else { f64::INFINITY };
-        let radii = Radii {
-            upper_x: contact.radius / cosine,
-            upper_y: f64::INFINITY,
-            lower_x: along,
-            lower_y: HEAD,
-        };
+        let along = if rail_radius > 0.0 { rail_radius / cosine } else { FLAT };
+        let radii = radii([along, HEAD, contact.radius / cosine, FLAT]);
         let exact = hertz(&radii, contact.normal_force, 82e9, 0.28).unwrap();
         let [a, b] = half_axes(&stand.memory);
         println!(

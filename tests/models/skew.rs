@@ -36,9 +36,7 @@ impl Paraboloid {
 }
 
 fn of_curvatures([along, across]: [f64; 2], load: f64) -> HertzContact<f64> {
-    let flat = f64::INFINITY;
-    let [upper_x, upper_y] = [1.0 / along, 1.0 / across];
-    hertz(&Radii { lower_x: flat, lower_y: flat, upper_x, upper_y }, load, 82e9, 0.28).unwrap()
+    hertz(&radii([FLAT, FLAT, 1.0 / along, 1.0 / across]), load, 82e9, 0.28).unwrap()
 }
 
 /// What skew changes, from pancakes to needles: pressure and approach under a load, the load at an

@@ -62,21 +62,15 @@ fn slip_far_in_sliding_is_rigid_slip() {
 /// A patch of two ellipses has, on each, the field of that ellipse alone.
 #[test]
 fn fields_of_lobes_are_those_of_each_alone() {
-    let pair = [contact(0.5, 0.28), Contact { friction: 0.2, ..contact(3.0, 0.28) }];
-    let centres = [-pair[0].b - 1e-3, pair[1].b + 9e-3];
-    let alone = |c: &Contact<f64>| Patch::<f64, 64>::from_ellipse(c, StripCount::Eight).unwrap();
-    let mut placed = Vec::new();
-    for (c, centre) in pair.iter().zip(centres) {
-        let shifted = |strip: &PatchStrip<f64>| PatchStrip { y: strip.y + centre, ..*strip };
-        placed.extend(alone(c).strips.iter().map(shifted));
-    }
-    let mut both = Patch::<f64, 64>::from_strips(&placed, 82e9, 0.28).unwrap();
-    both.scale = alone(&pair[0]).scale;
-    let m = creepage(&pair[0], 0.3, -0.2, 0.0);
+    let (first, second) = (contact(0.5, 0.28), contact(3.0, 0.28));
+    let second = Contact { friction: 0.2, ..second };
+    let pair = [(first, -first.b - 1e-3), (second, second.b + 9e-3)];
+    let both = side_by_side(&pair, StripCount::Eight);
+    let m = creepage(&first, 0.3, -0.2, 0.0);
     let view = both.view().unwrap();
     let field = PatchField::new(&view, &m, None, Model::Strip).unwrap();
-    for (c, centre) in pair.iter().zip(centres) {
-        let own = alone(c);
+    for (c, centre) in pair {
+        let own = Full::from_ellipse(&c, StripCount::Eight).unwrap();
         let own_view = own.view().unwrap();
         let own = PatchField::new(&own_view, &m, None, Model::Strip).unwrap();
         for [x, y] in [[0.0, 0.05], [-0.5, 0.4], [0.3, -0.6]] {

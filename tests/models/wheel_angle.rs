@@ -2,19 +2,8 @@
 //! of steep contacts at equal load, each in its own plane.
 
 use crate::prelude::*;
-use crate::wheel_rail::{PAGE, mean_and_p95, rows};
+use crate::wheel_rail::{PAGE, mean_and_p95, rows, stand};
 use kstrip_testing::patch_reference::{Row, number};
-
-/// The pair of a row, at its position without a height, and its velocity.
-fn stand(row: &Row) -> (Stand, Position<f64>, Velocity<f64>) {
-    let rail = profile(&row["rail"], number(row, "rail_turn_rad"));
-    let wheel = profile(&row["wheel"], 0.0);
-    let stand = Stand::new(rail, wheel, number(row, "wheel_radius_mm") * 1e-3);
-    let lateral = number(row, "lateral_mm") * 1e-3;
-    let position = Position { lateral, yaw: number(row, "yaw_rad"), ..Position::default() };
-    let (lateral, pitch) = (number(row, "lateral_mm_s") * 1e-3, number(row, "pitch_rad_s"));
-    (stand, position, Velocity { lateral, pitch, ..ROLLING })
-}
 
 /// Mean, 95th percentile, and how many there are.
 fn with_count(errors: Vec<f64>) -> ([f64; 2], usize) {

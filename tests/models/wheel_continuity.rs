@@ -13,8 +13,7 @@ pub(crate) const RAILS: [(&str, f64); 6] = [
     ("avglow", 0.0),
 ];
 pub(crate) const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
-const ROLLING: Velocity<f64> =
-    Velocity { forward: 20.0, lateral: 0.05, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
+const VELOCITY: Velocity<f64> = Velocity { lateral: 0.05, ..ROLLING };
 
 /// A profile of the data, turned, with noise of a size across.
 fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<Surface<f64>> {
@@ -57,7 +56,7 @@ impl Over<'_> {
 
     fn solve(&self, memory: &mut Workspace<f64>) -> Option<Wrench<f64>> {
         let found =
-            self.scene().solve(&BodyState { position: self.position, velocity: ROLLING }, memory);
+            self.scene().solve(&BodyState { position: self.position, velocity: VELOCITY }, memory);
         found.inspect_err(|error| println!("{:?}: {error}", self.position)).ok()
     }
 
@@ -293,7 +292,7 @@ fn a_zone_without_depth_changes_nothing() {
     for (wave, hollow) in [(5e-3, 4e-6), (5e-3, 15e-6), (6e-3, 9e-6), (7e-3, 4e-6)] {
         let rail = drawn(0.03, 600, |y| {
             let beyond = (y.abs() - 1.2 * wave).max(0.0);
-            let facets = 10e-6 * (2.0 * std::f64::consts::PI * y / wave).cos();
+            let facets = 10e-6 * (2.0 * PI * y / wave).cos();
             beyond * beyond / 0.2 - hollow * (y / wave).powi(2) - facets
         });
         let position = placed([2e-5, 0.0, 2e-3, 0.0]);
@@ -448,13 +447,13 @@ fn a_slight_zone_changes_no_load() {
     let pair = WheelPair { smoothing_length: 4e-3, ..steel(0.46) };
     let scene = Scene { strips: StripCount::Four, ..scene(&rail, &wheel, &pair) };
     let mut memory = zeroed::<Workspace<f64>>();
-    let velocity = Velocity { forward: 20.0, pitch: -43.4, ..Velocity::default() };
     let mut zones = Vec::new();
     let mut loads = Vec::new();
     for k in -16..=16 {
         let vertical = 0.003_248_083_17 + 2.5e-10 * f64::from(k);
         let position = placed([-6.062_603_21e-4, vertical, -0.012_123_964_7, 0.016_817_782_1]);
-        let wrench = scene.solve(&BodyState { position, velocity }, &mut memory).unwrap();
+        let state = BodyState { position, velocity: ROLLING };
+        let wrench = scene.solve(&state, &mut memory).unwrap();
         let patch = &memory.contacts[0].patch;
         let strips = patch.strips[..patch.count as usize].iter();
         let slight = strips.filter(|strip| strip.width < 7e-6);

@@ -2,7 +2,7 @@
 //! becomes of a contact that is nearly flat.
 
 use crate::prelude::*;
-use crate::wheel_rail::{assert_derivatives, moved};
+use crate::wheel_rail::{assert_derivatives, assert_near, dot, moved, power};
 use kstrip::patch::friction;
 use kstrip_testing::manchester::profile;
 
@@ -67,9 +67,6 @@ fn derivatives_are_those_of_differences() {
         (&moving, Some(&FALLING), Model::Strip),
     ] {
         let law = Law { model, falling };
-        let members = |contacts: &[WheelContact<f64>], velocity: &Velocity<f64>| {
-            of_contacts(contacts, velocity, law, None).unwrap().members()
-        };
         for speed in [20.0, 2.0, 0.03, 0.0, -0.02, -4.0] {
             let velocity = rolling(speed);
             let mut slopes: Box<WrenchDerivatives<f64>> = zeroed();
@@ -82,14 +79,10 @@ fn derivatives_are_those_of_differences() {
                 let mut contacts = contacts.clone();
                 let strips = contacts.iter_mut().flat_map(|contact| &mut contact.patch.strips);
                 strips.for_each(|strip| strip.friction *= 1.0 + step);
-                members(&contacts, &velocity)
+                of_contacts(&contacts, &velocity, law, None).unwrap()
             };
-            let (more, less) = (of_friction(1e-5), of_friction(-1e-5));
-            let largest = slopes.friction.iter().fold(1e-9, |most: f64, x| most.max(x.abs()));
-            for j in 0..6 {
-                let expected = (more[j] - less[j]) / 2e-5;
-                assert!((slopes.friction[j] - expected).abs() < 1e-6 * largest, "{speed} {j}");
-            }
+            let expected = difference(&of_friction(1e-5), &of_friction(-1e-5), 1e-5);
+            assert_near(&slopes.friction, &expected, (1e-6, 1e-9));
         }
     }
 }
@@ -109,13 +102,11 @@ fn left_is_the_mirror_of_right_and_friction_dissipates() {
         let wrench = of_contacts(&right, &velocity, STRIP, None).unwrap();
         assert!(wrench.dissipation > 0.0, "{speed}");
         // creep forces and pressure take the power of the wheel
-        let velocity = rates(&velocity);
-        let dot = |a: &[f64; 6]| a.iter().zip(velocity).map(|(a, v)| a * v).sum::<f64>();
-        let of_pressure: f64 = right
-            .iter()
-            .map(|contact| contact.share * contact.normal_force * dot(&contact.normal))
-            .sum();
-        let rest = dot(&wrench.members()) + wrench.dissipation + of_pressure;
+        let pressed = |contact: &WheelContact<f64>| {
+            contact.share * contact.normal_force * dot(&contact.normal, &rates(&velocity))
+        };
+        let of_pressure: f64 = right.iter().map(pressed).sum();
+        let rest = power(&wrench, &velocity) + wrench.dissipation + of_pressure;
         assert!(rest.abs() < 1e-9 * wrench.normal_force * speed.abs(), "{speed} {rest}");
     }
 }
@@ -220,13 +211,12 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
     use kstrip_testing::names::*;
     let contacts = contacts(0.0, false);
     let velocity = rolling(20.0);
-    let velocities = rates(&velocity);
-    let dot = |row: &[f64; 6]| row.iter().zip(velocities).map(|(a, v)| a * v).sum::<f64>();
+    let at_speed = |row: &[f64; 6]| dot(row, &rates(&velocity));
     let expected = of_contacts(&contacts, &velocity, STRIP, None).unwrap();
     let (mut wrench, mut plane_is_off) = ([0.0; 6], false);
     for contact in &contacts {
         let strips = &contact.patch.strips[..contact.patch.count as usize];
-        let speed = dot(&contact.rolling_speed);
+        let speed = at_speed(&contact.rolling_speed);
         // forward, across along the strip's tangent, about its normal; mixed with those of a plane
         let rows: Vec<_> = (0..strips.len())
             .map(|k| {
@@ -254,7 +244,7 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
         let own: Vec<_> = rows
             .iter()
             .map(|rows: &[[f64; 6]; 3]| {
-                let [longitudinal, lateral, spin] = rows.map(|row| dot(&row) / speed);
+                let [longitudinal, lateral, spin] = rows.map(|row| at_speed(&row) / speed);
                 kstrip_creepage { longitudinal, lateral, spin }
             })
             .collect();

@@ -7,6 +7,8 @@ const WHEELS: [&str; 7] =
     ["s1002", "whl288", "avgwhl", "car7216", "wornhm", "en_wheel_a", "en_wheel_h"];
 const RAILS: [&str; 6] = ["uic60", "rail288", "avgHR", "siteb", "avglow", "en_rail"];
 
+const ROLLS: Velocity<f64> = Velocity { pitch: -43.48, ..ROLLING };
+
 type Prepared = (Box<Surface<f64>>, Warning);
 
 /// A profile of the data whose coordinates are multiplied by factors.
@@ -37,8 +39,7 @@ fn on_rail(rail: &Surface<f64>, wheel: &Surface<f64>, pair: &WheelPair<f64>) -> 
     let position = Position::default();
     let (vertical, _) = scene.height_for_load(&position, 40e3, None, &mut memory).ok()?;
     let position = Position { vertical, ..position };
-    let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-    Some(scene.solve(&BodyState { position, velocity: rolling }, &mut memory).ok()?.warning)
+    Some(scene.solve(&BodyState { position, velocity: ROLLS }, &mut memory).ok()?.warning)
 }
 
 #[test]
@@ -69,8 +70,8 @@ fn profiles_are_told_when_they_stand_wrong() {
 
 #[test]
 fn wheels_on_rails_are_told_what_is_implausible() {
-    let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));
-    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let [rail, wheel] = ["uic60", "s1002"].map(manchester::profile);
+    let pair = steel(0.46);
     assert_eq!(on_rail(&rail, &wheel, &pair), Some(Warning::None));
     let vertical = {
         let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
@@ -96,11 +97,10 @@ fn wheels_on_rails_are_told_what_is_implausible() {
         let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
         let mut memory = zeroed::<Workspace<f64>>();
         let position = Position { vertical, ..Position::default() };
-        let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-        let found = scene.solve(&BodyState { position, velocity: rolling }, &mut memory);
+        let found = scene.solve(&BodyState { position, velocity: ROLLS }, &mut memory);
         assert_eq!(found.map(|found| found.warning), Ok(expected), "{pair:?}");
     }
-    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let pair = steel(0.46);
     for factors in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
         let (wrong, _) = scaled("s1002", factors);
         let found = on_rail(&rail, &wrong, &pair);
@@ -118,14 +118,7 @@ fn wheels_on_rails_are_told_what_is_implausible() {
 /// nothing, and where the support is reached at last the contact is crushed.
 #[test]
 fn a_wheel_that_friction_pulls_down_is_told() {
-    let (rail, _) = {
-        let [y, z] = points("uic60");
-        let (sine, cosine) = (-0.025_f64).sin_cos();
-        let turned = |(y, z): (&f64, &f64)| (y * cosine - z * sine, y * sine + z * cosine);
-        let (y, z): (Vec<f64>, Vec<f64>) = y.iter().zip(&z).map(turned).unzip();
-        prepared(&y, &z)
-    };
-    let (wheel, _) = scaled("car7216", [1.0, 1.0]);
+    let (rail, wheel) = (profile("uic60", -0.025), profile("car7216", 0.0));
     let pair = WheelPair { friction: 0.4, ..steel(0.4318) };
     let scene = scene(&rail, &wheel, &pair);
     let mut memory = zeroed::<Workspace<f64>>();
@@ -150,7 +143,7 @@ fn a_wheel_that_friction_pulls_down_is_told() {
 /// unless a smoothing length says otherwise. With points 2.3 mm apart a narrow contact is told.
 #[test]
 fn coarse_profiles_are_smoothed_or_told() {
-    let (rail, _) = scaled("uic60", [1.0, 1.0]);
+    let rail = manchester::profile("uic60");
     let [y, z] = points("s1002");
     let mut random = Random::new(5);
     let shape: Vec<f64> = y.iter().map(|_| random.between(-20e-6, 20e-6)).collect();
@@ -162,16 +155,15 @@ fn coarse_profiles_are_smoothed_or_told() {
         surface
     };
     let none = vec![0.0; y.len()];
-    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let pair = steel(0.46);
     let mut memory = zeroed::<Workspace<f64>>();
     let mut pressed = |wheel: &Surface<f64>, lateral: f64| {
         let scene = scene(&rail, wheel, &pair);
         let position = Position { lateral, ..Position::default() };
         let (vertical, _) = scene.height_for_load(&position, 80e3, None, &mut memory).unwrap();
         let position = Position { vertical, ..position };
-        let rolling = Velocity { forward: 20.0, pitch: -43.48, ..Velocity::default() };
-        let warning =
-            scene.solve(&BodyState { position, velocity: rolling }, &mut memory).unwrap().warning;
+        let state = BodyState { position, velocity: ROLLS };
+        let warning = scene.solve(&state, &mut memory).unwrap().warning;
         let strips = memory.found().iter().flat_map(|contact| &contact.patch.strips);
         (strips.fold(0.0, |most, strip| strip.peak_pressure.max(most)), warning)
     };
@@ -210,8 +202,8 @@ fn coarse_profiles_are_smoothed_or_told() {
 
 #[test]
 fn support_ends_at_a_twentieth_of_the_shear_modulus() {
-    let [(rail, _), (wheel, _)] = ["uic60", "s1002"].map(|name| scaled(name, [1.0, 1.0]));
-    let pair = WheelPair { friction: 0.3, ..steel(0.46) };
+    let [rail, wheel] = ["uic60", "s1002"].map(manchester::profile);
+    let pair = steel(0.46);
     let scene = Scene { strips: StripCount::Eight, ..scene(&rail, &wheel, &pair) };
     let mut memory = zeroed::<Workspace<f64>>();
     // warning and largest peak pressure over the shear modulus

@@ -3,7 +3,7 @@
 
 use crate::prelude::*;
 use crate::wheel_continuity::{RAILS, WHEELS};
-use crate::wheel_rail::single;
+use crate::wheel_rail::{by_position, single};
 use kstrip::patch::StoredPatch;
 use kstrip::wheel_rail::touch::Gap;
 
@@ -40,23 +40,13 @@ fn errors(
     velocity: &Velocity<f64>,
     memory: &mut Workspace<f64>,
 ) -> [Option<f64>; 4] {
-    let mut slopes = WrenchByPosition::default();
-    scene
-        .differentiate(
-            &BodyState { position: *position, velocity: *velocity },
-            memory,
-            Requested { by_velocity: None, by_position: Some(&mut slopes) },
-        )
-        .unwrap();
+    let (_, slopes) = by_position(scene, *position, *velocity, memory);
     let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
     let columns = [lateral, vertical, yaw, roll];
     std::array::from_fn(|k| {
         let mut at = |step: f64| {
-            let found = scene.solve(
-                &BodyState { position: moved(position, k, step), velocity: *velocity },
-                memory,
-            );
-            found.ok().map(|wrench| wrench.members())
+            let state = BodyState { position: moved(position, k, step), velocity: *velocity };
+            scene.solve(&state, memory).ok().map(|wrench| wrench.members())
         };
         let largest = |list: Members| list.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
         let best = [1e-6, 3e-7, 1e-7, 3e-8, 1e-8, 3e-9, 1e-9]
@@ -125,7 +115,7 @@ fn derivatives_by_position_are_those_of_differences() {
 fn derivatives_by_position_where_a_rail_leans_back() {
     let rail = profile("avglow", 0.0);
     let pair = WheelPair { smoothing_length: 2e-3, ..steel(0.46) };
-    let velocity = Velocity { forward: 20.0, lateral: 0.05, pitch: -43.4, ..Velocity::default() };
+    let velocity = Velocity { lateral: 0.05, ..ROLLING };
     let mut memory = zeroed::<Workspace<f64>>();
     for (lateral, name) in [(9.4e-3, "en_wheel_h"), (9e-3, "en_wheel_a"), (8e-3, "s1002")] {
         let wheel = profile(name, 0.0);
@@ -146,10 +136,7 @@ fn derivatives_by_position_where_a_rail_leans_back() {
         let (mut before, step) = (None, 2.5e-6);
         for k in -400..=0 {
             let position = moved(&position, 3, step * f64::from(k));
-            let mut slopes = WrenchByPosition::default();
-            let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
-            let state = BodyState { position, velocity };
-            let wrench = scene.differentiate(&state, &mut memory, requested).unwrap();
+            let (wrench, slopes) = by_position(&scene, position, velocity, &mut memory);
             let here = (wrench.force[1], slopes.roll[1]);
             if let Some((force, slope)) = before {
                 let jump: f64 = here.0 - force - 0.5 * step * (here.1 + slope);
@@ -165,8 +152,7 @@ fn derivatives_by_position_where_a_rail_leans_back() {
 fn derivatives_by_position_have_no_steps_where_strips_pass_points() {
     let (rail, wheel, pair) = (profile("uic60", 0.025), profile("s1002", 0.0), steel(0.46));
     let (scene, mut memory) = (scene(&rail, &wheel, &pair), zeroed::<Workspace<f64>>());
-    let velocity =
-        Velocity { forward: 20.0, lateral: 0.05, pitch: -43.4, yaw: 0.02, ..Velocity::default() };
+    let velocity = Velocity { lateral: 0.05, yaw: 0.02, ..ROLLING };
     for (lateral, yaw) in [(-0.010, 0.0), (-0.012, 0.0), (-0.010, 0.008), (-0.006, 0.008)] {
         let start = placed([lateral, 0.0, yaw, 0.0]);
         let (vertical, _) = scene.height_for_load(&start, 80e3, None, &mut memory).unwrap();
@@ -174,10 +160,7 @@ fn derivatives_by_position_have_no_steps_where_strips_pass_points() {
             .map(|k| {
                 let lateral = lateral + 5e-7 * f64::from(k);
                 let position = Position { lateral, vertical, ..start };
-                let mut slopes = WrenchByPosition::default();
-                let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
-                let state = BodyState { position, velocity };
-                scene.differentiate(&state, &mut memory, requested).unwrap();
+                let (_, slopes) = by_position(&scene, position, velocity, &mut memory);
                 let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
                 let of = |k: usize| [lateral, vertical, yaw, roll][k / 6][k % 6];
                 std::array::from_fn(of)
@@ -197,20 +180,10 @@ fn derivatives_by_position_have_no_steps_where_strips_pass_points() {
 
 /// `dF_z/dz` of a rolling wheel at lateral, vertical, yaw and roll.
 fn stiffness<F: Float>(scene: &Scene<F>, [lateral, vertical, yaw, roll]: [F; 4]) -> F {
-    let [forward, lateral_speed, pitch, yaw_rate] = [20.0, 0.05, -43.4, 0.02].map(F::of);
-    let velocity = Velocity {
-        forward,
-        lateral: lateral_speed,
-        pitch,
-        yaw: yaw_rate,
-        vertical: F::zero(),
-        roll: F::zero(),
-    };
-    let mut slopes = WrenchByPosition::default();
-    let state = BodyState { position: Position { lateral, vertical, yaw, roll }, velocity };
-    let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
-    scene.differentiate(&state, &mut zeroed(), requested).unwrap();
-    slopes.vertical[2]
+    let position = Position { lateral, vertical, yaw, roll };
+    let [forward, lateral, pitch, yaw] = [20.0, 0.05, -43.4, 0.02].map(F::of);
+    let velocity = Velocity { forward, lateral, pitch, yaw, ..Velocity::default() };
+    by_position(scene, position, velocity, &mut zeroed()).1.vertical[2]
 }
 
 /// Cells that touch by less than the step of single precision: their pressures keep the whole of
@@ -260,8 +233,7 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
         let position = Position { lateral, vertical: 0.0, yaw: 0.002, roll: 1e-4 };
         let (vertical, _) = scene.height_for_load(&position, load, None, &mut memory).unwrap();
         let position = Position { vertical, ..position };
-        let velocity = Velocity { forward: 20.0, pitch: -43.4, ..Velocity::default() };
-        let found = errors(&scene, &position, &velocity, &mut memory);
+        let found = errors(&scene, &position, &ROLLING, &mut memory);
         println!("{found:?} {:?}", memory.found().iter().map(|one| one.share).collect::<Vec<_>>());
         assert!(memory.found().iter().any(|one| one.share > 0.0 && one.share < 1.0));
         assert!(found.iter().all(|off| off.is_some_and(|off| off < 2e-5)), "{found:?}");
@@ -307,7 +279,7 @@ fn derivatives_by_position_are_there_where_zones_begin() {
     let rails = RAILS.map(|(name, turn)| profile(name, turn));
     let wheels = WHEELS.map(|name| profile(name, 0.0));
     let mut memory = zeroed::<Workspace<f64>>();
-    let velocity = Velocity { forward: 20.0, pitch: -43.4, lateral: 0.02, ..Velocity::default() };
+    let velocity = Velocity { lateral: 0.02, ..ROLLING };
     let mut begun = 0;
     for trial in 0..48 {
         let pair = WheelPair { smoothing_length: [0.0, 2e-3, 4e-3][trial % 3], ..steel(0.46) };
@@ -336,13 +308,7 @@ fn derivatives_by_position_are_there_where_zones_begin() {
             [0.0, 1e-18, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8].map(|deeper| (begin, deeper))
         }) {
             let position = Position { vertical: begin + deeper, ..start };
-            let mut slopes = WrenchByPosition::default();
-            let found = scene.differentiate(
-                &BodyState { position, velocity },
-                &mut memory,
-                Requested { by_velocity: None, by_position: Some(&mut slopes) },
-            );
-            assert!(found.is_ok(), "{trial} {found:?} {position:?}");
+            let (_, slopes) = by_position(&scene, position, velocity, &mut memory);
             let WrenchByPosition { lateral, vertical, yaw, roll } = slopes;
             let all = [lateral, vertical, yaw, roll];
             assert!(all.as_flattened().iter().all(|slope| slope.is_finite()), "{all:?}");

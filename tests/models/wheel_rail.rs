@@ -110,9 +110,23 @@ const OFFSET: f64 = 10.5325e-3;
 pub(crate) const ROLLING: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: -43.4, yaw: 0.0 };
 
+/// The pair of a row of the data, at its position without a height, and its velocity.
+pub(crate) fn stand(row: &Row) -> (Stand, Position<f64>, Velocity<f64>) {
+    let rail = profile(&row["rail"], number(row, "rail_turn_rad"));
+    let wheel = profile(&row["wheel"], 0.0);
+    let stand = Stand::new(rail, wheel, number(row, "wheel_radius_mm") * 1e-3);
+    let lateral = number(row, "lateral_mm") * 1e-3;
+    let position = Position { lateral, yaw: number(row, "yaw_rad"), ..Position::default() };
+    let (lateral, pitch) = (number(row, "lateral_mm_s") * 1e-3, number(row, "pitch_rad_s"));
+    (stand, position, Velocity { lateral, pitch, ..ROLLING })
+}
+
 pub(crate) fn power(wrench: &Wrench<f64>, velocity: &Velocity<f64>) -> f64 {
-    let velocity = rates(velocity);
-    wrench.members().iter().zip(velocity).map(|(force, speed)| force * speed).sum()
+    dot(&wrench.members(), &rates(velocity))
+}
+
+pub(crate) fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
 pub(crate) fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
@@ -130,24 +144,12 @@ pub(crate) const PAGE: &str = "docs/wheel-rail.md";
 /// forces against conformal CONTACT.
 #[test]
 fn forces_and_heights_are_those_of_contact() {
-    let mut stands: HashMap<(String, String), Stand> = HashMap::new();
     let (mut heights, mut planar, mut same) = (vec![], vec![], 0);
     let mut conformal = [const { Vec::<f64>::new() }; 5];
     let runs = rows("runs");
     assert_eq!(runs.len(), 354);
     for row in &runs {
-        let names = (row["rail"].clone(), row["wheel"].clone());
-        let stand = stands.entry(names).or_insert_with(|| {
-            let rail = profile(&row["rail"], number(row, "rail_turn_rad"));
-            Stand::new(rail, profile(&row["wheel"], 0.0), number(row, "wheel_radius_mm") * 1e-3)
-        });
-        let velocity = Velocity {
-            lateral: number(row, "lateral_mm_s") * 1e-3,
-            pitch: number(row, "pitch_rad_s"),
-            ..ROLLING
-        };
-        let lateral = number(row, "lateral_mm") * 1e-3;
-        let position = Position { lateral, yaw: number(row, "yaw_rad"), ..Position::default() };
+        let (mut stand, position, velocity) = stand(row);
         let vertical = stand.height(&position, number(row, "support_N"), Some(&velocity));
         let wrench = stand.solve(&Position { vertical, ..position }, &velocity);
         let bound = 0.3 * number(row, "normal_force_N");
@@ -195,17 +197,13 @@ fn forces_and_heights_are_those_of_contact() {
 #[test]
 fn a_cone_on_a_round_head_is_that_of_hertz() {
     let (angle, head) = (0.05_f64, 0.3);
-    let points: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
-    let arc: Vec<f64> = points.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
-    let cone: Vec<f64> = points.iter().map(|y| -y * angle.tan()).collect();
-    let mut stand = Stand::new(prepared(&points, &arc), prepared(&points, &cone), 0.46);
+    let cone = drawn(80, 0.4e-3, |y| -y * angle.tan());
+    let mut stand = Stand::new(drawn(80, 0.4e-3, round_head(head)), cone, 0.46);
     for shift in [-3e-3, 0.0, 4.321e-3] {
         // contact where the head is as steep as the cone, at head sin a to the left of its middle
         let place = -head * angle.sin();
         let radius = 0.46 - (place - shift) * angle.tan();
-        let flat = f64::INFINITY;
-        let radii =
-            Radii { lower_x: flat, lower_y: head, upper_x: radius / angle.cos(), upper_y: flat };
+        let radii = radii([FLAT, head, radius / angle.cos(), FLAT]);
         let exact = hertz(&radii, 80e3, 82e9, 0.28).unwrap();
         let position = Position { lateral: shift, ..Position::default() };
         let touches = (place - shift) * angle.tan() + head * (1.0 - angle.cos());
@@ -232,12 +230,9 @@ fn a_cone_on_a_round_head_is_that_of_hertz() {
 #[test]
 fn a_rolled_cylinder_touches_where_geometry_says() {
     let (head, radius) = (0.3, 0.46);
-    let points: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
-    let arc: Vec<f64> = points.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
-    let flat = vec![0.0; points.len()];
-    let mut stand = Stand::new(prepared(&points, &arc), prepared(&points, &flat), radius);
-    let far = f64::INFINITY;
-    let radii = Radii { lower_x: far, lower_y: head, upper_x: radius, upper_y: far };
+    let cylinder = drawn(80, 0.4e-3, |_| 0.0);
+    let mut stand = Stand::new(drawn(80, 0.4e-3, round_head(head)), cylinder, radius);
+    let radii = radii([FLAT, head, radius, FLAT]);
     for roll in [-0.06, 0.0, 0.03, 0.07_f64] {
         let load = 80e3;
         let exact = hertz(&radii, load, 82e9, 0.28).unwrap();
@@ -404,16 +399,10 @@ fn power_is_dissipation() {
         for model in [Model::Strip, Model::Total] {
             stand.model = model;
             let wrench = stand.solve(&position, &velocity);
-            let members = [20.0, 0.02, 1e-3, 0.1, -43.4, 0.04];
-            let pressure: f64 = stand
-                .memory
-                .found()
-                .iter()
-                .map(|contact| {
-                    let speed: f64 = contact.normal.iter().zip(members).map(|(n, v)| n * v).sum();
-                    contact.share * contact.normal_force * speed
-                })
-                .sum();
+            let of_pressure = |contact: &WheelContact<f64>| {
+                contact.share * contact.normal_force * dot(&contact.normal, &rates(&velocity))
+            };
+            let pressure: f64 = stand.memory.found().iter().map(of_pressure).sum();
             let rest = power(&wrench, &velocity) + wrench.dissipation + pressure;
             // the numbers that cancel are those of force times rolling speed
             assert!(
@@ -447,12 +436,31 @@ pub(crate) fn assert_derivatives(
 ) {
     for k in rates {
         let (plus, minus) = (at(k, step), at(k, -step));
-        let largest = (0..6).map(|j| slopes[j][k].abs()).fold(least, f64::max);
-        for (j, expected) in difference(&plus, &minus, step).into_iter().enumerate() {
-            let off = (slopes[j][k] - expected).abs();
-            assert!(off < 1e-4 * largest, "{j} {k}: {} {expected}", slopes[j][k]);
-        }
+        assert_near(&slopes.map(|row| row[k]), &difference(&plus, &minus, step), (1e-4, least));
     }
+}
+
+/// Derivatives are those of differences, but for a share of the largest, at least `least`.
+#[track_caller]
+pub(crate) fn assert_near(slopes: &[f64], expected: &[f64], (share, least): (f64, f64)) {
+    assert_eq!(slopes.len(), expected.len());
+    let largest = slopes.iter().fold(least, |most, slope| most.max(slope.abs()));
+    for (slope, own) in slopes.iter().zip(expected) {
+        assert!((slope - own).abs() < share * largest, "{slopes:?} {expected:?}");
+    }
+}
+
+/// The wrench, and its derivatives with respect to the position.
+pub(crate) fn by_position<F: Float>(
+    scene: &Scene<F>,
+    position: Position<F>,
+    velocity: Velocity<F>,
+    memory: &mut Workspace<F>,
+) -> (Wrench<F>, WrenchByPosition<F>) {
+    let mut slopes = WrenchByPosition::default();
+    let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };
+    let state = BodyState { position, velocity };
+    (scene.differentiate(&state, memory, requested).unwrap(), slopes)
 }
 
 /// Exact derivatives with respect to velocity and friction against differences, forward, backward
@@ -479,10 +487,7 @@ fn derivatives_by_velocity_are_those_of_differences() {
             stand.solve(&position, &velocity)
         });
         stand.pair.friction = 0.3;
-        let largest = slopes.friction.iter().fold(1e-9, |most: f64, slope| most.max(slope.abs()));
-        for (slope, expected) in slopes.friction.iter().zip(difference(&plus, &minus, 1e-5)) {
-            assert!((slope - expected).abs() < 1e-8 * largest, "{speed}: {slope} {expected}");
-        }
+        assert_near(&slopes.friction, &difference(&plus, &minus, 1e-5), (1e-8, 1e-9));
     }
 }
 
@@ -764,15 +769,8 @@ fn derivatives_by_depth_are_those_of_double_precision() {
     for (lateral, load, (forward, pitch)) in light.into_iter().chain(young).chain(lightest) {
         let position = stand.at(lateral * 1e-3, load);
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
-        let mut slopes = WrenchByPosition::default();
         let (double, own) = stand.split();
-        double
-            .differentiate(
-                &BodyState { position, velocity },
-                own,
-                Requested { by_velocity: None, by_position: Some(&mut slopes) },
-            )
-            .unwrap();
+        let (_, slopes) = by_position(&double, position, velocity, own);
         let exact = {
             let h = 0.01 * load.powf(2.0 / 3.0) * 4e-8;
             let at = |d: f64| Position { vertical: position.vertical + d, ..position };
@@ -788,16 +786,9 @@ fn derivatives_by_depth_are_those_of_double_precision() {
         let (vertical, _) =
             scene.height_for_load(&position, load as f32, None, &mut memory).unwrap();
         let position = Position { vertical, ..position };
-        let mut slopes = WrenchByPosition::<f32>::default();
         let [forward, pitch] = [forward as f32, pitch as f32];
         let velocity = Velocity { forward, pitch, ..Velocity::default() };
-        scene
-            .differentiate(
-                &BodyState { position, velocity },
-                &mut memory,
-                Requested { by_velocity: None, by_position: Some(&mut slopes) },
-            )
-            .unwrap();
+        let (_, slopes) = by_position(&scene, position, velocity, &mut memory);
         let off = f64::from(slopes.vertical[2]) / exact - 1.0;
         assert!(off.abs() < 0.02, "{load}: {} against {exact}", slopes.vertical[2]);
     }
@@ -811,7 +802,7 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
     let position = stand.at(0.0, 80e3);
     stand.solve(&position, &ROLLING);
     let mut contacts = stand.memory.contacts[..stand.memory.count as usize].to_vec();
-    let mut random = kstrip_testing::random::Random::new(3);
+    let mut random = Random::new(3);
     for _ in 0..300 {
         contacts
             .iter_mut()
@@ -833,9 +824,7 @@ fn a_mismatch_of_the_materials_dissipates_and_fades_at_standstill() {
             let at =
                 |step| of_contacts(&contacts, &moved(&velocity, k, step), STRIP, None).unwrap();
             let expected = difference(&at(step), &at(-step), step);
-            let largest = slopes.velocity[0][k].abs();
-            let off = (slopes.velocity[0][k] - expected[0]).abs();
-            assert!(off < 1e-4 * largest, "{speed} {k}: {} {}", slopes.velocity[0][k], expected[0]);
+            assert_near(&[slopes.velocity[0][k]], &expected[..1], (1e-4, 0.0));
         }
     }
     let still = of_contacts(&contacts, &Velocity::default(), STRIP, None).unwrap();
@@ -879,12 +868,9 @@ fn a_wheel_needs_strip() {
         .iter()
         .find(|row| row["wheel"] == "s1002" && row["kin"] == "A" && row["lateral_mm"] == "-9.53251")
         .expect("the position of the page");
-    let mut stand = Stand::new_profiles();
+    let (mut stand, position, velocity) = stand(row);
     let [strip, total] = [Model::Strip, Model::Total].map(|model| {
         stand.model = model;
-        let velocity = Velocity { pitch: number(row, "pitch_rad_s"), ..ROLLING };
-        let lateral = number(row, "lateral_mm") * 1e-3;
-        let position = Position { lateral, ..Position::default() };
         let vertical = stand.height(&position, number(row, "support_N"), Some(&velocity));
         let [fx, fy, _] = stand.solve(&Position { vertical, ..position }, &velocity).force;
         let (x, y) = (fx + number(row, "FX_N"), fy + number(row, "FY_N"));

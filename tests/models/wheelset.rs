@@ -2,6 +2,7 @@
 //! benchmark, and the curve.
 
 use crate::prelude::*;
+use crate::wheel_rail::assert_near;
 use kstrip::wheelset::conicity::RadiusDifference;
 use kstrip::wheelset::forces::{WheelsetByPosition, WheelsetDerivatives, WheelsetForces};
 use kstrip::wheelset::settle::Settled;
@@ -57,10 +58,8 @@ impl Stand {
 
     /// Wheels with a cone on round rail heads.
     fn coned(cone: f64, head: f64) -> Self {
-        let y: Vec<f64> = (-80..=80).map(|i| f64::from(i) * 0.4e-3).collect();
-        let arc: Vec<f64> = y.iter().map(|y| head - (head * head - y * y).sqrt()).collect();
-        let line: Vec<f64> = y.iter().map(|y| -y * cone).collect();
-        Self::new(prepared(&y, &arc), prepared(&y, &line), HALF)
+        let (head, cone) = (drawn(80, 0.4e-3, round_head(head)), drawn(80, 0.4e-3, |y| -y * cone));
+        Self::new(head, cone, HALF)
     }
 
     fn split(
@@ -98,6 +97,19 @@ impl Stand {
     ) -> WheelsetForces<f64> {
         let (wheelset, memory) = self.split(rails);
         wheelset.solve(&BodyState { position: *position, velocity: *velocity }, memory).unwrap()
+    }
+
+    /// With respect to all velocities and by all positions.
+    fn derivatives(
+        &mut self,
+        state: &BodyState<f64>,
+        rails: [RailMotion<f64>; 2],
+    ) -> (WheelsetDerivatives<f64>, WheelsetByPosition<f64>) {
+        let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
+        let requested = Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) };
+        let (wheelset, memory) = self.split(rails);
+        wheelset.differentiate(state, memory, requested).unwrap();
+        (by, moved)
     }
 
     fn differences(&mut self, shifts: &[f64], with_roll: bool) -> Vec<f64> {
@@ -181,15 +193,7 @@ fn moving(mut stand: Stand, lateral: f64, yaw: f64, forward: f64) -> (Stand, Sta
 fn derivatives_are_those_of_differences() {
     for (mut stand, state) in states().into_iter().chain([on_rollers()]) {
         let (position, velocity, rails) = state.parts();
-        let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
-        let (wheelset, memory) = stand.split(rails);
-        wheelset
-            .differentiate(
-                &BodyState { position, velocity },
-                memory,
-                Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) },
-            )
-            .unwrap();
+        let (by, moved) = stand.derivatives(&BodyState { position, velocity }, rails);
         let mut compare = |k: usize, step: f64, is_place: bool, allowed: f64| {
             let mut at = |step: f64| {
                 let mut changed = state;
@@ -199,12 +203,8 @@ fn derivatives_are_those_of_differences() {
             };
             let (plus, minus) = (at(step), at(-step));
             let slopes = if is_place { &moved.position } else { &by.velocity };
-            let expected: Vec<f64> = (0..10).map(|i| (plus[i] - minus[i]) / (2.0 * step)).collect();
-            let largest = expected.iter().fold(1e-9, |most: f64, x| most.max(x.abs()));
-            for (i, expected) in expected.iter().enumerate() {
-                let off = (slopes[i][k] - expected).abs() / largest;
-                assert!(off < allowed, "{i} {k} {is_place}: {} {expected}", slopes[i][k]);
-            }
+            let expected: Ten = std::array::from_fn(|i| (plus[i] - minus[i]) / (2.0 * step));
+            assert_near(&slopes.map(|row| row[k]), &expected, (allowed, 1e-9));
         };
         for k in 0..10 {
             compare(k, 4e-6, false, 1e-6);
@@ -221,11 +221,8 @@ fn derivatives_are_those_of_differences() {
             ten(&state.forces(&mut stand))
         };
         let (plus, minus) = (at(1.0 + 1e-5), at(1.0 - 1e-5));
-        let largest = by.friction.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        for (i, slope) in by.friction.iter().enumerate() {
-            let expected = (plus[i] - minus[i]) / 2e-5;
-            assert!((slope - expected).abs() < 1e-7 * largest, "{i}: {slope} {expected}");
-        }
+        let expected: Ten = std::array::from_fn(|i| (plus[i] - minus[i]) / 2e-5);
+        assert_near(&by.friction, &expected, (1e-7, 0.0));
     }
 }
 
@@ -316,15 +313,7 @@ fn a_coned_wheelset_has_the_wave_of_klingel() {
     for (cone, head) in [(0.01, 0.3), (0.05, 0.3), (0.1, 0.08)] {
         let mut stand = Stand::coned(cone, head);
         let settled = stand.settle(&at(0.0, 0.0), &ROLLS, &LOAD).unwrap();
-        let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
-        let (wheelset, memory) = stand.split([NOTHING; 2]);
-        wheelset
-            .differentiate(
-                &settled.state,
-                memory,
-                Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) },
-            )
-            .unwrap();
+        let (by, moved) = stand.derivatives(&settled.state, [NOTHING; 2]);
         // rates of y and yaw, pitch rate, height and roll that balance a change of y or of yaw
         let columns = [by.velocity, by.velocity, by.velocity, moved.position, moved.position];
         let freedoms = [1, 5, 4, 2, 3];

@@ -53,12 +53,7 @@ fn errors<F: Float>(row: &Row) -> Vec<f64> {
             // R)
             let radius = |curvature: F| F::one() / curvature.times(2.0);
             let flat = F::of(f64::INFINITY);
-            let radii = Radii {
-                lower_x: radius(input(0)),
-                lower_y: radius(input(1)),
-                upper_x: flat,
-                upper_y: flat,
-            };
+            let radii = radii([radius(input(0)), radius(input(1)), flat, flat]);
             let h = hertz(&radii, input(2), input(3), input(4)).expect("an ellipse");
             let major = h.a.max(h.b);
             [h.axis_ratio, major, h.peak_pressure, h.approach]
@@ -80,7 +75,7 @@ fn errors<F: Float>(row: &Row) -> Vec<f64> {
             let contact = Contact {
                 a: F::of(g.sqrt()),
                 b: F::of(1.0 / g.sqrt()),
-                normal_force: F::of(2.0 * std::f64::consts::PI / 3.0),
+                normal_force: F::of(2.0 * PI / 3.0),
                 shear_modulus: F::of(2.0),
                 poisson_ratio: input(3),
                 friction: F::one(),

@@ -105,7 +105,7 @@ fn brute_force_has_the_limits_of_the_theory() {
     assert!((fx - 0.6 * force).abs() < 1e-12 && (fy - 0.8 * force).abs() < 1e-12 && error < 1e-12);
     // Stick area: strips |Y| < √(1 − τ²), length 2 (C − τ)
     let angle = 0.5_f64.acos();
-    let area = 2.0 / std::f64::consts::PI * (angle + 0.5 * angle.sin() - 2.0 * 0.5 * angle.sin());
+    let area = 2.0 / PI * (angle + 0.5 * angle.sin() - 2.0 * 0.5 * angle.sin());
     assert!((stick - area).abs() < 1e-12, "{stick} {area}");
 }
 

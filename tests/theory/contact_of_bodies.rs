@@ -2,15 +2,13 @@
 
 use kstrip_testing::prelude::*;
 
-const FLAT: f64 = f64::INFINITY;
 const STEEL: CombinedMaterial<f64> =
     CombinedMaterial { shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0 };
-const WHEEL: Radii<f64> = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+const WHEEL: Radii<f64> = radii([FLAT, 0.3, 0.46, FLAT]);
 
 /// A body of radii 1 m and `ratio` on a plane, either way round.
 fn body(ratio: f64) -> [Radii<f64>; 2] {
-    let along = Radii { lower_x: FLAT, lower_y: FLAT, upper_x: ratio, upper_y: 1.0 };
-    [along, Radii { upper_x: 1.0, upper_y: ratio, ..along }]
+    [[FLAT, FLAT, ratio, 1.0], [FLAT, FLAT, 1.0, ratio]].map(radii)
 }
 
 #[test]
@@ -80,8 +78,7 @@ fn without_load_or_approach_contact_is_lost() {
 
 #[test]
 fn single_precision_follows() {
-    let flat = f32::INFINITY;
-    let radii = Radii { lower_x: flat, lower_y: 0.3_f32, upper_x: 0.46, upper_y: flat };
+    let radii = radii([f32::INFINITY, 0.3, 0.46, f32::INFINITY]);
     let pair = CombinedMaterial { shear_modulus: 82e9_f32, poisson_ratio: 0.28, mismatch: 0.0 };
     for load in [1e-20_f32, 1.0, 80e3] {
         let (_, ellipse, _) = from_hertz(&radii, &pair, load, 0.3).unwrap();

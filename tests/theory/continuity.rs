@@ -80,7 +80,7 @@ fn threshold(at: &dyn Fn(f64) -> Law) -> Option<f64> {
     let sticks = |t: f64| {
         let law = at(t);
         (1..4000).any(|i| {
-            let (y, c) = (std::f64::consts::PI * (f64::from(i) / 4000.0 - 0.5)).sin_cos();
+            let (y, c) = (PI * (f64::from(i) / 4000.0 - 0.5)).sin_cos();
             law.adheres(y, c).is_some()
         })
     };

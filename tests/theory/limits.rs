@@ -2,10 +2,6 @@
 
 use kstrip_testing::prelude::*;
 
-fn bound(contact: &Contact<f64>) -> f64 {
-    contact.friction * contact.normal_force
-}
-
 /// C11 = π²/(4(1 − ν)), C22 = π²/4, C23 = (π/3)√(a/b) for both rules, from
 /// forces at vanishing creepage and from the derivatives at zero. The coefficients are defined by
 /// Fx = G ab C11 υx, Fy = G ab (C22 υy + √(ab) C23 φ), Mz = −G (ab)^(3/2) C23 υy.
@@ -70,7 +66,7 @@ fn spin_moment_has_its_linear_slope() {
             &options(Model::Strip1967, StripCount::SixtyFour),
         );
         // (3/4) b ∫ Y p Y 2C dY with ∫ Y² C dY = π/8
-        let expected = 3.0 * PI / 16.0 * bound(&c) * c.b * psi * c.b / (c.a * 0.72);
+        let expected = 3.0 * PI / 16.0 * c.friction_bound() * c.b * psi * c.b / (c.a * 0.72);
         assert!((s.mz / expected - 1.0).abs() < 3e-9, "{} {expected}", s.mz);
     }
 }
@@ -129,12 +125,12 @@ fn pure_creepage_has_its_closed_form() {
                 let (dx, dy) = (clean(angle.cos()), clean(angle.sin()));
                 let motion = creepage(&c, tau * dx, tau * dy, 0.0);
                 let s = solved(&c, &motion, &sixteen(kind));
-                let along = (s.fx * dx + s.fy * dy) / bound(&c);
-                let across = (s.fx * dy - s.fy * dx) / bound(&c);
+                let along = (s.fx * dx + s.fy * dy) / c.friction_bound();
+                let across = (s.fx * dy - s.fy * dx) / c.friction_bound();
                 assert!(along.is_finite());
                 worst = worst.max((along - pure_creepage(tau)).abs());
                 assert!(across.abs() < 4e-15, "{tau} {angle}: {across:e}");
-                assert!(tau < 1.0 || s.mz.abs() < 1e-12 * bound(&c) * c.a.max(c.b));
+                assert!(tau < 1.0 || s.mz.abs() < 1e-12 * c.friction_bound() * c.a.max(c.b));
                 let inside = tau.min(1.0);
                 let stick = inside.acos() - inside * (1.0 - inside * inside).sqrt();
                 assert!((s.adhesion - 2.0 / PI * stick).abs() < 4e-15, "{tau}: {}", s.adhesion);
@@ -144,7 +140,7 @@ fn pure_creepage_has_its_closed_form() {
     // A little spin on much creepage does not matter
     for kind in MODELS {
         let s = solved(&C0, &creepage(&C0, 1e9, 0.0, 0.5), &sixteen(kind));
-        assert!((s.fx / bound(&C0) - 1.0).abs() < 4e-15);
+        assert!((s.fx / C0.friction_bound() - 1.0).abs() < 4e-15);
     }
     println!("worst error {worst:e}");
     // measured 6e-16

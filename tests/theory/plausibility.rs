@@ -4,8 +4,7 @@ use kstrip::contact::implausibility;
 use kstrip::status::advice;
 use kstrip_testing::prelude::*;
 
-const FLAT: f64 = f64::INFINITY;
-const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+const DEGREES: f64 = 180.0 / PI;
 
 fn pair(shear_modulus: f64) -> CombinedMaterial<f64> {
     CombinedMaterial { shear_modulus, poisson_ratio: 0.28, mismatch: 0.0 }
@@ -59,8 +58,7 @@ const ORDINARY: [Case; 20] = [
 ];
 
 fn bodies(case: &Case, unit: f64) -> Radii<f64> {
-    let [lower_x, lower_y, upper_x, upper_y] = case.radii.map(|radius| unit * radius);
-    Radii { lower_x, lower_y, upper_x, upper_y }
+    radii(case.radii.map(|radius| unit * radius))
 }
 
 fn contact(case: &Case) -> Contact<f64> {
@@ -164,7 +162,7 @@ fn degrees_are_named() {
 /// from 5 degrees on.
 #[test]
 fn a_wheel_is_told_from_tread_to_flange() {
-    let wheel = Radii { lower_x: FLAT, lower_y: 0.3, upper_x: 0.46, upper_y: FLAT };
+    let wheel = radii([FLAT, 0.3, 0.46, FLAT]);
     let (contact, _, _) = from_hertz(&wheel, &pair(82e9), 80e3, 0.3).unwrap();
     for degrees in 0..=75 {
         let spin = f64::from(degrees).to_radians().tan() / 0.46;
@@ -181,7 +179,7 @@ fn limits_are_where_the_table_has_them() {
     let still = creep(0.0, 0.0, 0.0);
     let Contact { a, b, shear_modulus, friction, .. } = contact;
     // N of p₀ = 0.1 G
-    let pressed = |a: f64, b: f64| 0.1 * shear_modulus * (2.0 / 3.0) * std::f64::consts::PI * a * b;
+    let pressed = |a: f64, b: f64| 0.1 * shear_modulus * (2.0 / 3.0) * PI * a * b;
     let inclined = 5.0 * contact.peak_pressure() / (shear_modulus * a);
     assert!(inclined > 0.05 / (a * b).sqrt());
     // (a contact of little load, whose spin is limited by the slip at its edge)
@@ -204,11 +202,8 @@ fn limits_are_where_the_table_has_them() {
             let edge = creep(0.0, 0.0, share * sign * 0.05 / (a * b).sqrt());
             assert_eq!(implausibility(&light, &edge), of(Warning::Spin));
         }
-        let warned = |radii: [f64; 4]| {
-            let [lower_x, lower_y, upper_x, upper_y] = radii;
-            let radii = Radii { lower_x, lower_y, upper_x, upper_y };
-            from_hertz(&radii, &pair(shear_modulus), 1e3, friction).unwrap().2
-        };
+        let warned =
+            |of: [f64; 4]| from_hertz(&radii(of), &pair(shear_modulus), 1e3, friction).unwrap().2;
         let radius = 5.0 * share;
         assert_eq!(warned([FLAT, FLAT, radius, radius]), of(Warning::Radius));
         assert_eq!(warned([FLAT, FLAT, radius, 10.0 * radius]), of(Warning::Radius));

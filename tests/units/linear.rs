@@ -16,7 +16,7 @@ fn at(g: f64, nu: f64) -> [f64; 4] {
 fn spin_coefficient_of_wide_contacts_is_near_its_limit() {
     for (g, allowed) in [(1e-3, 0.005), (1e-2, 0.01), (3e-2, 0.02)] {
         for nu in [0.0, 0.15, 0.28, 0.4, 0.5] {
-            let limit = core::f64::consts::PI.powi(2) / (16.0 * (1.0 - nu) * g);
+            let limit = PI.powi(2) / (16.0 * (1.0 - nu) * g);
             assert_relative_eq!(at(g, nu)[3], limit, max_relative = allowed);
         }
     }

@@ -16,8 +16,7 @@ fn any_contact(random: &mut Random) -> (Contact<f64>, f64) {
     let a = b * random.log_between(0.1, 10.0);
     let (normal_force, friction) = (2.0 / 3.0 * PI * a * b * pressure, random.between(0.05, 0.8));
     let poisson_ratio = random.between(0.0, 0.5);
-    let contact =
-        Contact { a, b, normal_force, shear_modulus: 82e9, poisson_ratio, friction, mismatch: 0.0 };
+    let contact = Contact { a, b, normal_force, poisson_ratio, friction, ..C0 };
     (contact, 2.0 * friction * pressure / contact.shear_modulus)
 }
 
