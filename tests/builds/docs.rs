@@ -5,9 +5,8 @@
 //! the program prints at that place. Shell blocks run in the root of the repository. `no-run` after
 //! the language of a shell block: it is only parsed, and the scripts that it names must exist.
 
-use crate::structure::rust_files;
 use kstrip_testing::prelude::*;
-use kstrip_testing::toolchain::{python, released};
+use kstrip_testing::toolchain::{entries, files_below, python, released};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -33,14 +32,6 @@ fn pages() -> Vec<PathBuf> {
     below(root(), &mut found);
     assert!(found.len() > 8, "{found:?}");
     found
-}
-
-/// What a folder holds, in the order of its names.
-pub fn entries(folder: &Path) -> Vec<PathBuf> {
-    let entries = std::fs::read_dir(folder).expect("a folder");
-    let mut entries: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
-    entries.sort();
-    entries
 }
 
 pub fn blocks(page: &Path) -> Vec<Block> {
@@ -309,8 +300,8 @@ fn theory_has_every_equation_of_the_paper() {
             assert!(page.contains(&equation), "{equation} is not mapped");
         }
     }
-    let mut sources = vec![root().join("docs/theory.md")];
-    rust_files(&root().join("src"), &mut sources);
+    let mut sources = files_below("src", &["rs"]);
+    sources.push(root().join("docs/theory.md"));
     assert!(sources.len() > 60, "{}", sources.len());
     for file in sources {
         let text = read(&file);
@@ -381,17 +372,6 @@ fn prose(name: &str) -> String {
     lines.join("\n").split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// Files with these endings below a folder.
-fn files_below(folder: &Path, endings: &[&str], found: &mut Vec<PathBuf>) {
-    for path in entries(folder) {
-        if path.is_dir() {
-            files_below(&path, endings, found);
-        } else if endings.iter().any(|end| path.extension().is_some_and(|own| own == *end)) {
-            found.push(path);
-        }
-    }
-}
-
 /// Pages, pictures, headers, comments and messages have none of these phrases, which readers would
 /// have to read twice.
 #[test]
@@ -453,10 +433,8 @@ fn prose_has_plain_words() {
     let mut files = pages();
     const PLACES: &str = "src include web reports examples c_examples cpp_examples \
         benches fit fuzz bindings hosts";
-    for folder in PLACES.split(' ') {
-        files_below(&root().join(folder), &PROGRAMS, &mut files);
-    }
-    files_below(&root().join("docs"), &["svg"], &mut files);
+    files.extend(PLACES.split(' ').flat_map(|folder| files_below(folder, &PROGRAMS)));
+    files.extend(files_below("docs", &["svg"]));
     let mut faults = Vec::new();
     for file in &files {
         let name = file.strip_prefix(root()).expect("inside").display().to_string();
@@ -523,16 +501,14 @@ fn pages_of_reports_have_the_texts_of_their_reports() {
 
 #[test]
 fn one_command_draws_every_picture() {
-    let mut programs = Vec::new();
-    files_below(&root().join("reports"), &["rs"], &mut programs);
+    let mut programs = files_below("reports", &["rs"]);
     programs.extend(["bindings/python/pictures.py", "scripts/pictures.sh"].map(|p| root().join(p)));
     let sources: String = programs.iter().map(read).collect();
     for command in ["accuracy", "figures", "patches", "speed"] {
         assert!(read("scripts/pictures.sh").contains(&format!("--bench {command}\n")), "{command}");
     }
     assert!(read("scripts/pictures.sh").contains("bindings/python/pictures.py"));
-    let mut pictures = Vec::new();
-    files_below(&root().join("docs"), &["svg", "png"], &mut pictures);
+    let pictures = files_below("docs", &["svg", "png"]);
     for picture in &pictures {
         let name = picture.file_stem().expect("a name").to_string_lossy();
         assert!(sources.contains(&*name), "{}", picture.display());

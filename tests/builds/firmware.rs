@@ -5,7 +5,11 @@ use kstrip_testing::names::*;
 use std::mem::MaybeUninit;
 
 macro_rules! same_as_solve {
-    ($float:ident, $solve:ident, $total:ident, $linear:ident, $strip_1967:ident, $strip:ident) => {{
+    ($float:ident, $functions:ident) => {{
+        use kstrip::ffi::$functions::{
+            kstrip_solve, kstrip_solve_linear, kstrip_solve_strip, kstrip_solve_strip_1967,
+            kstrip_solve_total,
+        };
         for (ratio, x, y, s) in [
             (1.0, 0.0, 0.0, 0.0),
             (1.4, 1e-3, -2e-3, 0.3),
@@ -26,22 +30,22 @@ macro_rules! same_as_solve {
             };
             let by_options = |model, strips| {
                 let options = kstrip_options { model, strips };
-                run(&|out| $solve(contact, creepage, Some(&options), out))
+                run(&|out| kstrip_solve(contact, creepage, Some(&options), out))
             };
-            let own = run(&|out| $total(contact, creepage, out));
+            let own = run(&|out| kstrip_solve_total(contact, creepage, out));
             assert_eq!(own, by_options(KSTRIP_MODEL_TOTAL, 16));
-            let own = run(&|out| $linear(contact, creepage, out));
+            let own = run(&|out| kstrip_solve_linear(contact, creepage, out));
             assert_eq!(own, by_options(KSTRIP_MODEL_LINEAR, 16));
             for strips in [4, 8, 16, 32, 64] {
-                let own = run(&|out| $strip_1967(contact, creepage, strips, out));
+                let own = run(&|out| kstrip_solve_strip_1967(contact, creepage, strips, out));
                 assert_eq!(own, by_options(KSTRIP_MODEL_STRIP_1967, strips));
-                let own = run(&|out| $strip(contact, creepage, strips, out));
+                let own = run(&|out| kstrip_solve_strip(contact, creepage, strips, out));
                 assert_eq!(own, by_options(KSTRIP_MODEL_STRIP, strips));
             }
             let mut result = MaybeUninit::uninit();
-            assert_eq!($total(None, creepage, Some(&mut result)), KSTRIP_ERROR_NULL);
-            assert_eq!($linear(contact, creepage, None), KSTRIP_ERROR_NULL);
-            let wrong = $strip_1967(contact, creepage, 7, Some(&mut result));
+            assert_eq!(kstrip_solve_total(None, creepage, Some(&mut result)), KSTRIP_ERROR_NULL);
+            assert_eq!(kstrip_solve_linear(contact, creepage, None), KSTRIP_ERROR_NULL);
+            let wrong = kstrip_solve_strip_1967(contact, creepage, 7, Some(&mut result));
             assert_eq!(wrong, KSTRIP_ERROR_STRIP_COUNT);
         }
     }};
@@ -50,20 +54,6 @@ macro_rules! same_as_solve {
 /// To the bit, with the same statuses.
 #[test]
 fn functions_per_model_are_those_of_solve() {
-    same_as_solve!(
-        f64,
-        kstrip_solve,
-        kstrip_solve_total,
-        kstrip_solve_linear,
-        kstrip_solve_strip_1967,
-        kstrip_solve_strip
-    );
-    same_as_solve!(
-        f32,
-        kstrip_solve_f32,
-        kstrip_solve_total_f32,
-        kstrip_solve_linear_f32,
-        kstrip_solve_strip_1967_f32,
-        kstrip_solve_strip_f32
-    );
+    same_as_solve!(f64, double);
+    same_as_solve!(f32, single);
 }

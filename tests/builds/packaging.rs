@@ -5,7 +5,8 @@ use kstrip::ffi::KSTRIP_ABI_VERSION;
 use serde_json::Value;
 
 use kstrip_testing::prelude::*;
-use kstrip_testing::toolchain::host;
+use kstrip_testing::toolchain::{entries, files_below, host};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// `cargo metadata` for this machine.
@@ -110,7 +111,7 @@ fn security_page_is_true() {
         let rest = page.split_once(from).unwrap_or_else(|| panic!("{from}")).1;
         rest.split_once(to).unwrap_or_else(|| panic!("{to}")).0.to_owned()
     };
-    let named: Vec<String> =
+    let mut named: Vec<String> =
         section("these files contain `unsafe` code", "There is no build script")
             .split('`')
             .skip(1)
@@ -118,23 +119,16 @@ fn security_page_is_true() {
             .filter(|name| name.starts_with("src/"))
             .map(str::to_owned)
             .collect();
-    let mut found = Vec::new();
-    let mut folders = vec![root().join("src")];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder") {
-            let path = entry.expect("an entry").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if read(&path).contains("[allow(unsafe_code)]") {
-                let name = path.strip_prefix(root()).expect("inside").to_str().expect("text");
-                found.push(name.replace('\\', "/").replace("/mod.rs", ""));
-            }
-        }
-    }
+    let is_unsafe = |path: &PathBuf| read(path).contains("[allow(unsafe_code)]");
+    let name = |path: PathBuf| {
+        let name = path.strip_prefix(root()).expect("inside").to_str().expect("text");
+        name.replace('\\', "/").replace("/mod.rs", "")
+    };
+    let mut found: Vec<String> =
+        files_below("src", &["rs"]).into_iter().filter(is_unsafe).map(name).collect();
     found.sort();
-    let mut listed = named.clone();
-    listed.sort();
-    assert_eq!(found, listed, "files with unsafe code");
+    named.sort();
+    assert_eq!(found, named, "files with unsafe code");
     assert!(read("src/lib.rs").contains("#![deny(missing_docs, unsafe_code)]"));
 
     let manifest = read("Cargo.toml");
@@ -151,8 +145,7 @@ fn security_page_is_true() {
     }
     assert!(count > 10, "{count}");
 
-    for entry in std::fs::read_dir(root().join("scripts")).expect("scripts") {
-        let path = entry.expect("an entry").path();
+    for path in entries(&root().join("scripts")) {
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         let script = read(&path).replace("\\\n", " ");
         for line in script.lines().filter(|line| !line.trim_start().starts_with('#')) {

@@ -1,6 +1,6 @@
 //! The scripts that prove something say what they could not do.
 
-use kstrip_testing::toolchain::{read, root, scratch};
+use kstrip_testing::toolchain::{files_below, read, root, scratch};
 use std::process::Command;
 
 /// A proof whose tool is missing ends with status 77 and a line that begins with SKIPPED; `.ci/run`
@@ -34,10 +34,8 @@ fn proofs_without_their_tools_are_not_green() {
 #[test]
 fn ignored_tests_are_steps_of_continuous_integration() {
     let run = read(".ci/run").replace("\\\n", " ");
-    let mut files = Vec::new();
-    crate::structure::rust_files(&root().join("tests"), &mut files);
     let mut count = 0;
-    for file in files {
+    for file in files_below("tests", &["rs"]) {
         let text = read(&file);
         for ignored in text.split("\n#[ignore").skip(1) {
             let (reason, rest) = ignored.split_once("]\n").expect("the end of the attribute");

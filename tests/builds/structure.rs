@@ -1,7 +1,8 @@
 //! The structure of the sources: which folder and which file uses which, and the width of lines.
 
-use crate::docs::{blocks, entries};
+use crate::docs::blocks;
 use kstrip_testing::prelude::*;
+use kstrip_testing::toolchain::files_below;
 use std::path::PathBuf;
 
 /// Pairs of a user and what it uses.
@@ -60,9 +61,7 @@ fn circle(mut arrows: Arrows) -> Arrows {
 /// its own uses.
 fn arrows_of_files() -> Arrows {
     let source = root().join("src");
-    let mut files = Vec::new();
-    rust_files(&source, &mut files);
-    let modules: BTreeMap<String, PathBuf> = files
+    let modules: BTreeMap<String, PathBuf> = files_below("src", &["rs"])
         .into_iter()
         .map(|file| {
             let path = file.strip_prefix(&source).expect("inside").with_extension("");
@@ -159,23 +158,11 @@ fn groups_of_paths_are_expanded() {
     assert_eq!(paths(code), expected);
 }
 
-pub fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
-    for path in entries(folder) {
-        if path.is_dir() {
-            rust_files(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            found.push(path);
-        }
-    }
-}
-
 /// In code, comments and tables.
 #[test]
 fn lines_have_at_most_100_characters() {
-    let mut files = Vec::new();
-    for folder in ["src", "tests", "benches", "examples", "reports", "fuzz/fuzz_targets"] {
-        rust_files(&root().join(folder), &mut files);
-    }
+    let folders = ["src", "tests", "benches", "examples", "reports", "fuzz/fuzz_targets"];
+    let files: Vec<_> = folders.iter().flat_map(|folder| files_below(folder, &["rs"])).collect();
     assert!(files.len() > 150, "{}", files.len());
     for file in files {
         for (i, line) in read(&file).lines().enumerate() {
@@ -186,9 +173,7 @@ fn lines_have_at_most_100_characters() {
 
 #[test]
 fn files_have_at_most_500_lines() {
-    let mut files = Vec::new();
-    rust_files(&root().join("src"), &mut files);
-    for file in files {
+    for file in files_below("src", &["rs"]) {
         let count = read(&file).lines().count();
         assert!(count <= 500, "{}: {count}", file.display());
     }
@@ -197,8 +182,7 @@ fn files_have_at_most_500_lines() {
 /// Each of them is there because a function would stand alone, or a call cost more, without it.
 #[test]
 fn at_most_190_functions_are_always_inlined() {
-    let mut files = Vec::new();
-    rust_files(&root().join("src"), &mut files);
+    let files = files_below("src", &["rs"]);
     let count: usize = files.iter().map(|file| read(file).matches("inline(always)").count()).sum();
     assert!((100..=190).contains(&count), "{count}");
 }
@@ -216,9 +200,7 @@ struct Names {
 impl Names {
     fn read() -> Self {
         let mut names = Self::default();
-        let mut files = Vec::new();
-        rust_files(&root().join("src"), &mut files);
-        for file in files {
+        for file in files_below("src", &["rs"]) {
             let path = file.strip_prefix(root()).expect("inside").display().to_string();
             names.add(&path, &read(&file));
         }

@@ -3,6 +3,7 @@
 pub mod entries;
 pub mod halving;
 pub mod header;
+pub mod in_c;
 pub mod manchester;
 pub mod names;
 pub mod patch_reference;

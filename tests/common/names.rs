@@ -6,12 +6,8 @@ pub use crate::structures::single;
 pub use kstrip::ffi::double::*;
 pub use kstrip::ffi::single::{
     kstrip_evaluate as kstrip_evaluate_f32, kstrip_evaluate_batch as kstrip_evaluate_batch_f32,
-    kstrip_field as kstrip_field_f32, kstrip_prepare as kstrip_prepare_f32,
-    kstrip_solve as kstrip_solve_f32, kstrip_solve_linear as kstrip_solve_linear_f32,
+    kstrip_prepare as kstrip_prepare_f32, kstrip_solve as kstrip_solve_f32,
     kstrip_solve_prepared as kstrip_solve_prepared_f32,
-    kstrip_solve_strip as kstrip_solve_strip_f32,
-    kstrip_solve_strip_1967 as kstrip_solve_strip_1967_f32,
-    kstrip_solve_total as kstrip_solve_total_f32,
 };
 pub use kstrip::ffi::types::kstrip_options;
 pub use kstrip::ffi::*;

@@ -1,6 +1,7 @@
 //! Patches computed with CONTACT (`tests/data/patches`), and how far ours are from them. Used by
 //! `tests/models/patch_accuracy.rs` and by `reports/patches.rs`.
 
+use crate::prelude;
 use crate::toolchain::root;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -340,15 +341,8 @@ pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
 pub fn falling() -> Vec<(Case, Full, SlipFriction<f64>)> {
     let make = |row: &Row| {
         let (case, patch) = elliptic(row, "falling", "mu0", StripCount::Sixteen);
-        let law = SlipFriction {
-            friction: case.friction,
-            ratio: number(row, "A"),
-            decay: number(row, "B_s_per_m"),
-            rolling_speed: number(row, "speed_m_per_s"),
-            slope_factor: 1.0,
-            slide_factor: 0.0,
-            layer: 0.0,
-        };
+        let [ratio, decay, speed] = ["A", "B_s_per_m", "speed_m_per_s"].map(|of| number(row, of));
+        let law = prelude::falling(case.friction, ratio, decay, speed, 1.0);
         (case, patch, law)
     };
     grouped("falling.csv", make, |(case, ..)| (&case.name, &mut case.motions))

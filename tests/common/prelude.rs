@@ -116,6 +116,16 @@ pub fn normalised<F: Float>(c: &Contact<F>, s: &Solution<F>) -> [F; 3] {
     [s.fx / bound, s.fy / bound, s.mz / (bound * (c.a * c.b).sqrt())]
 }
 
+/// A force at its creepage, of which these components were measured.
+pub fn measured_force<F: Float>(
+    at: Creepage<F>,
+    [fx, fy]: [F; 2],
+    measured: u32,
+) -> MeasuredForce<F> {
+    let (Creepage { longitudinal, lateral, spin }, weight) = (at, F::one());
+    MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved: 0 }
+}
+
 /// STRIP under constant friction.
 pub const STRIP: Law<f64> = Law { model: Model::Strip, falling: None };
 

@@ -42,6 +42,11 @@ pub struct Case {
 }
 
 impl Case {
+    /// A state without a reference.
+    pub fn new(axis_ratio: f64, poisson_ratio: f64, creepage: [f64; 3]) -> Self {
+        Self { axis_ratio, poisson_ratio, creepage, force: [0.0; 2], moment: 0.0, stick: 0.0 }
+    }
+
     pub fn contact<F: Float>(&self) -> Contact<F> {
         contact(self.axis_ratio, self.poisson_ratio)
     }
@@ -391,19 +396,9 @@ impl FieldCase {
     pub fn solve<F: Float>(&self, model: Model) -> (Contact<F>, Field<F>) {
         let contact = contact::<F>(self.axis_ratio, self.poisson_ratio);
         let [xi, eta, psi] = self.parameters;
-        let root = self.axis_ratio.sqrt();
-        let case = Case {
-            axis_ratio: self.axis_ratio,
-            poisson_ratio: self.poisson_ratio,
-            creepage: [
-                3.0 / PI * (1.0 - self.poisson_ratio) * xi,
-                3.0 / PI * eta,
-                3.0 / PI * psi / root,
-            ],
-            force: [0.0; 2],
-            moment: 0.0,
-            stick: 0.0,
-        };
+        let creepage = [(1.0 - self.poisson_ratio) * xi, eta, psi / self.axis_ratio.sqrt()]
+            .map(|x| 3.0 / PI * x);
+        let case = Case::new(self.axis_ratio, self.poisson_ratio, creepage);
         let options = options(model, StripCount::Sixteen);
         let field = Field::new(&contact, &case.motion(), &options);
         (contact, field.unwrap_or_else(|error| panic!("{error} {}", self.name)))

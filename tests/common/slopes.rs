@@ -11,11 +11,6 @@ use std::f64::consts::PI;
 /// A method.
 pub type Solve<'a> = &'a dyn Fn(&Case) -> Answer;
 
-/// A state without a reference.
-fn state(axis_ratio: f64, poisson_ratio: f64, creepage: [f64; 3]) -> Case {
-    Case { axis_ratio, poisson_ratio, creepage, force: [0.0; 2], moment: 0.0, stick: 0.0 }
-}
-
 /// `1/C11, 1/C22, 1/C23`: the creepage for which linear theory has the force `μ N`.
 pub fn linear_steps(axis_ratio: f64, poisson_ratio: f64) -> [f64; 3] {
     let c = LinearCoefficients::at(axis_ratio, poisson_ratio);
@@ -46,7 +41,7 @@ pub fn slope_cases() -> Vec<SlopeCase> {
     let table = Table::read(root().join("tests/data/jacobians.csv"));
     let row = |row| {
         let at = |column: &str| table.number(row, column);
-        let mut case = state(at("a_over_b"), at("nu"), ["vx", "vy", "phi"].map(at));
+        let mut case = Case::new(at("a_over_b"), at("nu"), ["vx", "vy", "phi"].map(at));
         (case.force, case.moment, case.stick) = (["fx", "fy"].map(at), at("mz"), f64::NAN);
         let units = linear_steps(case.axis_ratio, case.poisson_ratio);
         let slopes = ["fx", "fy"].map(|force| {
@@ -95,7 +90,7 @@ pub fn rays(count: usize, solve: Solve) -> (Vec<f64>, f64) {
         let force: Vec<f64> = (0..=STEPS)
             .map(|i| {
                 let u = 2.6 * i as f64 / STEPS as f64;
-                let at = state(g, nu, [u * turn.cos() * x, u * turn.sin() * y, 0.0]);
+                let at = Case::new(g, nu, [u * turn.cos() * x, u * turn.sin() * y, 0.0]);
                 let [fx, fy] = solve(&at).force;
                 most = most.max(fx.hypot(fy));
                 fall = fall.max(most - fx.hypot(fy));
@@ -147,7 +142,7 @@ pub fn ripple(solve: Solve) -> [Vec<f64>; 2] {
                         let u = if axis == 0 { 3.0 * share } else { 6.0 * share - 3.0 };
                         let mut creepage = [0.0, 0.0, 3.0 / PI * psi / g.sqrt()];
                         creepage[axis] = u * units[axis];
-                        slope(&state(g, 0.28, creepage), axis, 1e-3, solve)[axis]
+                        slope(&Case::new(g, 0.28, creepage), axis, 1e-3, solve)[axis]
                     })
                     .collect();
                 found.push(high_pass(&mut slopes));
@@ -193,7 +188,7 @@ pub fn limits(solve: Solve) -> [Vec<f64>; 2] {
         let [fx, fy, mz] = rigid_slip(g, v);
         let [.., most] = rigid_slip(g, [0.0, 0.0, 1.0]);
         let far = if share < 3.0 { 2000.0 } else { 60.0 / share };
-        let found = solve(&state(g, nu, v.map(|v| far * v)));
+        let found = solve(&Case::new(g, nu, v.map(|v| far * v)));
         forces.push((found.force[0] - fx).hypot(found.force[1] - fy));
         moments.push((found.moment - mz).abs() / most);
     }
@@ -211,7 +206,7 @@ pub fn power(count: usize, solve: Solve) -> (f64, f64) {
         let turn = random.between(0.0, 2.0 * PI);
         let spin = random.sign() * random.log_between(0.01, 6.3) / g.sqrt();
         let v = [size * turn.cos(), size * turn.sin(), spin];
-        let Answer { force: [fx, fy], moment, .. } = solve(&state(g, nu, v));
+        let Answer { force: [fx, fy], moment, .. } = solve(&Case::new(g, nu, v));
         let slip = size + spin.abs() * g.max(1.0 / g).sqrt();
         let power = (fx * v[0] + fy * v[1] + moment * v[2]) / slip;
         least = least.min(power);

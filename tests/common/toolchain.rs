@@ -29,6 +29,26 @@ pub fn assert_told(page: &str, words: &str) {
     assert!(text.contains(words), "{page}: {words}");
 }
 
+/// What a folder holds, in the order of its names.
+pub fn entries(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).expect("a folder");
+    let mut entries: Vec<_> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    entries.sort();
+    entries
+}
+
+/// Files with these endings in a folder of the repository and below.
+pub fn files_below(folder: impl AsRef<Path>, endings: &[&str]) -> Vec<PathBuf> {
+    let of_entry = |path: PathBuf| {
+        if path.is_dir() {
+            return files_below(path, endings);
+        }
+        let is_meant = endings.iter().any(|end| path.extension().is_some_and(|own| own == *end));
+        if is_meant { vec![path] } else { vec![] }
+    };
+    entries(&root().join(folder)).into_iter().flat_map(of_entry).collect()
+}
+
 /// Whether a program is installed.
 pub fn has(tool: &str) -> bool {
     Command::new(tool).arg("--version").output().is_ok_and(|output| output.status.success())
@@ -84,17 +104,8 @@ fn built(name: &str) -> PathBuf {
         std::env::consts::DLL_PREFIX,
         std::env::consts::DLL_SUFFIX
     ));
-    let mut folders = vec![root().join("src")];
-    let mut newest = changed(&root().join("Cargo.toml"));
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("a folder of sources") {
-            let path = entry.expect("an entry").path();
-            newest = newest.max(changed(&path));
-            if path.is_dir() {
-                folders.push(path);
-            }
-        }
-    }
+    let sources = files_below("src", &["rs"]).into_iter().chain([root().join("Cargo.toml")]);
+    let newest = sources.filter_map(|path| changed(&path)).max();
     let current = changed(&beside).is_some_and(|built| newest.is_some_and(|newest| built > newest));
     if current && std::env::var_os("KSTRIP_RELEASE_LIBRARY").is_none() {
         beside

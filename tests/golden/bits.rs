@@ -11,6 +11,7 @@
 //! change. With `KSTRIP_GOLDEN_FEW` only the first thousand are computed, in this build alone.
 
 use kstrip::friction;
+pub use kstrip_testing::in_c::InC as Bits;
 use kstrip_testing::prelude::*;
 use kstrip_testing::single;
 use kstrip_testing::toolchain::run_c_with;
@@ -19,22 +20,6 @@ const CASES: u32 = 100_000;
 const BLOCK: u32 = 1000;
 /// What has a hash of its own.
 const KINDS: [&str; 7] = ["", " patches", " friction", " special", " rig", " layer", " fit"];
-
-pub trait Bits: Float + Default {
-    fn bits(self) -> u64;
-}
-
-impl Bits for f64 {
-    fn bits(self) -> u64 {
-        self.to_bits()
-    }
-}
-
-impl Bits for f32 {
-    fn bits(self) -> u64 {
-        u64::from(self.to_bits())
-    }
-}
 
 /// FNV-1a, 64 bits at a time.
 #[derive(Clone, Copy)]
@@ -446,19 +431,7 @@ impl<F: Bits> Case<'_, F> {
                 let Creepage { longitudinal, lateral, spin } = *creepage;
                 let motion = creep(longitudinal * share, lateral * share, spin);
                 let found = friction::solve_with_law(contact, &motion, law, options).ok()?.solution;
-                let Creepage { longitudinal, lateral, spin } = motion;
-                let (Solution { fx, fy, .. }, weight, measured) = (found, F::one(), 3);
-                let reserved = 0;
-                Some(MeasuredForce {
-                    longitudinal,
-                    lateral,
-                    spin,
-                    fx,
-                    fy,
-                    weight,
-                    measured,
-                    reserved,
-                })
+                Some(measured_force(motion, [found.fx, found.fy], 3))
             })
             .collect();
         let start = SlipFriction { friction: F::zero(), slope_factor: F::zero(), ..*law };
@@ -520,40 +493,40 @@ fn hashes_of_rust(counts: &[u32]) -> String {
     text
 }
 
-/// Compares the hashes of both precisions, which are made side by side, with a file of
-/// `tests/data`; with `KSTRIP_WRITE_GOLDEN` it is written first.
-pub fn compare(file: &str, double: fn(&str) -> String, single: fn(&str) -> String) {
+const WAY: &str = "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results were to change";
+
+/// Hashes of this build are those of a file of `tests/data`; with `KSTRIP_WRITE_GOLDEN` it is
+/// written first.
+fn assert_golden(file: &str, here: &str) {
     let path = root().join("tests/data").join(file);
+    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
+        std::fs::write(&path, here).expect("tests/data is writable");
+    }
+    assert_eq!(here, read(path), "this build; {WAY}");
+}
+
+/// The hashes of both precisions, which are made side by side, are those of a file.
+pub fn compare(file: &str, double: fn(&str) -> String, single: fn(&str) -> String) {
     let here = std::thread::scope(|scope| {
         let double = scope.spawn(|| double("double"));
         let single = single("single");
         double.join().expect("hashes") + &single
     });
-    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
-        std::fs::write(&path, &here).expect("tests/data is writable");
-    }
-    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
-    assert_eq!(here, golden, "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results change");
+    assert_golden(file, &here);
 }
 
 #[test]
 fn every_build_gives_the_golden_bits() {
-    let path = root().join("tests/data/golden.txt");
-    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
-    let way = "KSTRIP_WRITE_GOLDEN=1 cargo test --test golden, if results were to change";
     if std::env::var_os("KSTRIP_GOLDEN_FEW").is_some() {
+        let golden = read("tests/data/golden.txt");
         let few = |line: &&str| line.split(' ').nth_back(1) == Some("1000");
         let golden: Vec<_> = golden.lines().filter(few).collect();
-        assert_eq!(hashes_of_rust(&[1]).lines().collect::<Vec<_>>(), golden, "this build; {way}");
+        assert_eq!(hashes_of_rust(&[1]).lines().collect::<Vec<_>>(), golden, "{WAY}");
         return;
     }
-    let here = hashes_of_rust(&[CASES / BLOCK, 1]);
-    if std::env::var_os("KSTRIP_WRITE_GOLDEN").is_some() {
-        std::fs::write(&path, &here).expect("tests/data is writable");
-    }
-    let golden = std::fs::read_to_string(&path).expect("the golden hashes");
-    assert_eq!(here, golden, "this build; {way}");
+    let golden = hashes_of_rust(&[CASES / BLOCK, 1]);
+    assert_golden("golden.txt", &golden);
     for mode in ["batch", "threads"] {
-        assert_eq!(run_c_with("tests/c/golden.c", &[mode]), golden, "C program, {mode}; {way}");
+        assert_eq!(run_c_with("tests/c/golden.c", &[mode]), golden, "C program, {mode}; {WAY}");
     }
 }

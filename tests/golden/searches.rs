@@ -138,11 +138,10 @@ fn hash_fits<F: Bits>(hash: &mut Hash) {
                 let c = f64::from(n + 1) * f64::from(n + 1);
                 let rise = c / (c + f64::from(1 + draw(i, 1, 30))) * (1.0 - c / 800.0);
                 let scatter = f64::from(draw(i, 2, 8)) / 100.0 * swing(i, 10 + n);
-                let (longitudinal, fx) =
-                    (F::of(c * 5e-4), F::of(106.7e3 * 0.35 * (rise + scatter)));
-                let ([lateral, spin, fy], measured, reserved) = ([F::zero(); 3], 1, 0);
+                let (at, fx) = (F::of(c * 5e-4), F::of(106.7e3 * 0.35 * (rise + scatter)));
                 let weight = part(1 + draw(i, 30 + n, 3), 2.0);
-                MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved }
+                let at = creep(at, F::zero(), F::zero());
+                MeasuredForce { weight, ..measured_force(at, [fx, F::zero()], 1) }
             })
             .collect();
         let start = law([0.0, 0.5, 0.3, 10.0, 0.5].map(F::of));

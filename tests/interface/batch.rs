@@ -4,6 +4,8 @@
 //! Only builds without debug assertions solve contacts side by side in wide registers:
 //! `cargo test --config tests/plain.toml --test interface batch`.
 
+use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
+use kstrip_testing::in_c::{InC, bits_of};
 use kstrip_testing::names::*;
 use kstrip_testing::prelude::*;
 
@@ -131,119 +133,101 @@ fn options() -> impl Iterator<Item = kstrip_options> {
 
 /// Thousands of contacts of all kinds: the bits of single solves in any company, whatever the
 /// count's remainder; the first error wherever it stands, with nothing written.
-macro_rules! any_company {
-    ($name:ident, $float:ident, $solve:ident, $batch:ident) => {
-        #[test]
-        fn $name() {
-            let mut random = Random::new(5);
-            let all: Vec<[$float; 10]> =
-                (0..4000).map(|kind| any_kind(&mut random, kind).map(|x| x as $float)).collect();
-            for options in options() {
-                let single = |values: &[$float; 10]| {
-                    let (contact, creepage) = problem(*values);
-                    let mut result = MaybeUninit::uninit();
-                    let status =
-                        $solve(Some(&contact), Some(&creepage), Some(&options), Some(&mut result));
-                    if status < 0 {
-                        return Err(status);
-                    }
-                    let r: Solution<$float> = unsafe { result.assume_init() };
-                    Ok((
-                        status,
-                        [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits),
-                        r.warning.code(),
-                    ))
-                };
-                let (good, bad): (Vec<_>, Vec<_>) = all
-                    .iter()
-                    .map(|values| (*values, single(values)))
-                    .partition(|(_, found)| found.is_ok());
-                assert!(good.len() > 3000 && bad.len() > 100, "{} {}", good.len(), bad.len());
+fn any_company<F: InC>() {
+    let mut random = Random::new(5);
+    let all: Vec<[F; 10]> = (0..4000).map(|kind| any_kind(&mut random, kind).map(F::of)).collect();
+    for options in options() {
+        let single = |values: &[F; 10]| {
+            let (contact, creepage) = problem(*values);
+            let mut result = MaybeUninit::uninit();
+            let status = F::solve((&contact, &creepage, &options), &mut result);
+            if status < 0 {
+                return Err(status);
+            }
+            let r: Solution<F> = unsafe { result.assume_init() };
+            Ok((status, bits_of(&r), r.warning.code()))
+        };
+        let (good, bad): (Vec<_>, Vec<_>) = all
+            .iter()
+            .map(|values| (*values, single(values)))
+            .partition(|(_, found)| found.is_ok());
+        assert!(good.len() > 3000 && bad.len() > 100, "{} {}", good.len(), bad.len());
 
-                let together = |problems: &[[$float; 10]]| {
-                    let count = problems.len();
-                    let (contacts, creepages): (Vec<_>, Vec<_>) =
-                        problems.iter().map(|p| problem(*p)).unzip();
-                    let [fx, fy, mz, power, adhesion] = [7.0; 5];
-                    let warning = Warning::NotConverged;
-                    let untouched = Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 };
-                    let mut results = vec![untouched; count];
-                    let status = unsafe {
-                        let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
-                        let to = batch_results(results.as_mut_ptr());
-                        let mut bad = MaybeUninit::uninit();
-                        let (options, bad_place) = (Some(&options), Some(&mut bad));
-                        let count = count as u32;
-                        let status = $batch(Some(&from), count, options, Some(&to), bad_place);
-                        let bad = bad.assume_init() as usize;
-                        let first = problems.iter().position(|values| single(values).is_err());
-                        assert_eq!(bad, first.unwrap_or(problems.len()));
-                        status
-                    };
-                    let arrays: [Vec<$float>; 10] =
-                        std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
-                    let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
-                    let mut found: [Vec<$float>; 5] = std::array::from_fn(|_| vec![7.0; count]);
-                    let mut details = vec![Warning::NotConverged.code(); count as usize];
-                    let places = found.each_mut().map(|array| array.as_mut_ptr());
-                    let to = batch_results_arrays(places, details.as_mut_ptr());
-                    let (count, options) = (count as u32, Some(&options));
-                    let other = unsafe { $batch(Some(&from), count, options, Some(&to), None) };
-                    assert_eq!(status, other);
-                    for (i, r) in results.iter().enumerate() {
-                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
-                        assert_eq!(is, found.each_ref().map(|array| array[i].to_bits()));
-                        assert_eq!(r.warning.code(), details[i]);
-                    }
-                    (status, results)
-                };
-                let inputs: Vec<_> = good.iter().map(|(values, _)| *values).collect();
-                for (first, count) in (0..17)
-                    .flat_map(|k| [(37 * k, 160 + k), (41 * k, k)])
-                    .chain([(0, inputs.len())])
-                {
-                    let (status, results) = together(&inputs[first..first + count]);
-                    let mut worst = Warning::None;
-                    for (r, (values, expected)) in results.iter().zip(&good[first..]) {
-                        let (status, bits, detail) = expected.unwrap();
-                        worst = worst.worse(told(status));
-                        let is = [r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits);
-                        assert_eq!(
-                            (is, r.warning.code()),
-                            (bits, detail),
-                            "{options:?} {values:?}"
-                        );
-                    }
-                    assert_eq!(status, worst.code());
-                }
-                for (k, pair) in bad.chunks(2).enumerate().take(150) {
-                    let mut inputs = inputs[..203].to_vec();
-                    inputs[k % 203] = pair[0].0;
-                    if let Some((values, _)) = pair.get(1) {
-                        // a later one, also in the same register
-                        let later = (k % 203 + 1 + k % 9).min(202);
-                        if later > k % 203 {
-                            inputs[later] = *values;
-                        }
-                    }
-                    let (status, results) = together(&inputs);
-                    assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
-                    assert!(
-                        results.iter().all(|r| r.fx == 7.0 && r.warning == Warning::NotConverged)
-                    );
+        let together = |problems: &[[F; 10]]| {
+            let count = problems.len();
+            let (contacts, creepages): (Vec<_>, Vec<_>) =
+                problems.iter().map(|p| problem(*p)).unzip();
+            let [fx, fy, mz, power, adhesion] = [F::of(7.0); 5];
+            let warning = Warning::NotConverged;
+            let untouched = Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 };
+            let mut results = vec![untouched; count];
+            let status = unsafe {
+                let from = batch_inputs(contacts.as_ptr(), creepages.as_ptr());
+                let to = batch_results(results.as_mut_ptr());
+                let mut bad = MaybeUninit::uninit();
+                let status = F::batch(&from, count, &options, &to, Some(&mut bad));
+                let bad = bad.assume_init() as usize;
+                let first = problems.iter().position(|values| single(values).is_err());
+                assert_eq!(bad, first.unwrap_or(problems.len()));
+                status
+            };
+            let arrays: [Vec<F>; 10] =
+                std::array::from_fn(|k| problems.iter().map(|p| p[k]).collect());
+            let from = batch_arrays(arrays.each_ref().map(|array| array.as_ptr()));
+            let mut found: [Vec<F>; 5] = std::array::from_fn(|_| vec![F::of(7.0); count]);
+            let mut details = vec![Warning::NotConverged.code(); count];
+            let places = found.each_mut().map(|array| array.as_mut_ptr());
+            let to = batch_results_arrays(places, details.as_mut_ptr());
+            let other = unsafe { F::batch(&from, count, &options, &to, None) };
+            assert_eq!(status, other);
+            for (i, r) in results.iter().enumerate() {
+                assert_eq!(bits_of(r), found.each_ref().map(|array| array[i].bits()));
+                assert_eq!(r.warning.code(), details[i]);
+            }
+            (status, results)
+        };
+        let inputs: Vec<_> = good.iter().map(|(values, _)| *values).collect();
+        for (first, count) in
+            (0..17).flat_map(|k| [(37 * k, 160 + k), (41 * k, k)]).chain([(0, inputs.len())])
+        {
+            let (status, results) = together(&inputs[first..first + count]);
+            let mut worst = Warning::None;
+            for (r, (values, expected)) in results.iter().zip(&good[first..]) {
+                let (status, bits, detail) = expected.unwrap();
+                worst = worst.worse(told(status));
+                let is = (bits_of(r), r.warning.code());
+                assert_eq!(is, (bits, detail), "{options:?} {values:?}");
+            }
+            assert_eq!(status, worst.code());
+        }
+        for (k, pair) in bad.chunks(2).enumerate().take(150) {
+            let mut inputs = inputs[..203].to_vec();
+            inputs[k % 203] = pair[0].0;
+            if let Some((values, _)) = pair.get(1) {
+                // a later one, also in the same register
+                let later = (k % 203 + 1 + k % 9).min(202);
+                if later > k % 203 {
+                    inputs[later] = *values;
                 }
             }
+            let (status, results) = together(&inputs);
+            assert_eq!(Err(status), pair[0].1, "{options:?} {:?}", pair[0].0);
+            assert!(
+                results.iter().all(|r| r.fx == F::of(7.0) && r.warning == Warning::NotConverged)
+            );
         }
-    };
+    }
 }
 
-any_company!(any_company_gives_the_same_bits, f64, kstrip_solve, kstrip_evaluate_batch);
-any_company!(
-    any_company_gives_the_same_bits_in_single_precision,
-    f32,
-    kstrip_solve_f32,
-    kstrip_evaluate_batch_f32
-);
+#[test]
+fn any_company_gives_the_same_bits() {
+    any_company::<f64>();
+}
+
+#[test]
+fn any_company_gives_the_same_bits_in_single_precision() {
+    any_company::<f32>();
+}
 
 #[test]
 fn only_what_is_wanted_is_written_and_nothing_on_errors() {
@@ -255,11 +239,14 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     let count = COUNT as u32;
     let mut fy = vec![7.0; COUNT];
     let wanted = kstrip_batch_outputs { fy: fy.as_mut_ptr(), fy_stride: EACH, ..nothing };
-    unsafe {
-        assert!(kstrip_evaluate_batch(Some(&from(&arrays)), count, None, Some(&wanted), None) >= 0);
-        assert!(
-            kstrip_evaluate_batch(Some(&from(&arrays)), count, None, Some(&nothing), None) >= 0
-        );
+    let evaluate = |from: &kstrip_batch_inputs,
+                    count,
+                    options: Option<&kstrip_options>,
+                    to: &kstrip_batch_outputs| unsafe {
+        kstrip_evaluate_batch(Some(from), count, options, Some(to), None)
+    };
+    for to in [&wanted, &nothing] {
+        assert!(evaluate(&from(&arrays), count, None, to) >= 0);
     }
     assert!(fy.iter().all(|fy| *fy != 7.0));
     // Whatever else is wanted, a quantity has the same bits
@@ -274,12 +261,7 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
             let places =
                 [place(0, fx), place(1, fy), place(2, mz), place(3, power), place(4, adhesion)];
             let wanted = batch_results_arrays(places, null_mut());
-            let (from, options) = (from(&arrays), Some(&options));
-            unsafe {
-                assert!(
-                    kstrip_evaluate_batch(Some(&from), count, options, Some(&wanted), None) >= 0
-                );
-            }
+            assert!(evaluate(&from(&arrays), count, Some(&options), &wanted) >= 0);
             let whole = whole.get_or_insert_with(|| found.clone());
             assert!(found == *whole, "{mask} {options:?}");
         }
@@ -301,110 +283,87 @@ fn only_what_is_wanted_is_written_and_nothing_on_errors() {
     let law = falling(0.3, 0.4, 0.6, 20.0, 1.0);
     let falling = kstrip_batch_inputs { law: &law, law_stride: 0, ..from(&arrays) };
     for count in [2, count] {
-        let status =
-            unsafe { kstrip_evaluate_batch(Some(&falling), count, None, Some(&wanted), None) };
-        assert_eq!(status, KSTRIP_ERROR_SEMI_AXIS);
+        assert_eq!(evaluate(&falling, count, None, &wanted), KSTRIP_ERROR_SEMI_AXIS);
     }
     assert!(fy.iter().all(|fy| *fy == 7.0));
     let empty = kstrip_batch_inputs { a: std::ptr::null(), ..missing };
-    assert_eq!(
-        unsafe { kstrip_evaluate_batch(Some(&empty), 0, None, Some(&wanted), None) },
-        KSTRIP_OK
-    );
+    assert_eq!(evaluate(&empty, 0, None, &wanted), KSTRIP_OK);
 }
 
 /// Contacts of all kinds with derivatives, every second time under falling friction, every fourth
 /// time behind a layer that sliding softens too: bits and
 /// statuses of kstrip_evaluate(), and nothing is written where one has an error, also one that only
 /// its derivatives tell.
-macro_rules! derivatives_in_any_company {
-    ($name:ident, $float:ident, $evaluate:ident, $batch:ident) => {
-        #[test]
-        fn $name() {
-            type Derivatives = kstrip::forces::derivatives::Derivatives<$float>;
-            let law = SlipFriction::<$float> {
-                ratio: 0.4,
-                decay: 0.6,
-                rolling_speed: 20.0,
-                slope_factor: 0.5,
-                ..SlipFriction::of_constant(0.3)
-            };
-            let entries = |d: &Derivatives| {
-                let [x, y, z] = d.jacobian;
-                [x, y, z, d.normal_force, d.load_through_hertz, d.friction]
-                    .map(|row| row.map($float::to_bits))
-            };
-            let untouched = Derivatives::default();
-            let mut random = Random::new(8);
-            let mut errors = 0;
-            let rounds = (0..12).flat_map(|round| options().map(move |options| (round, options)));
-            for (round, options) in rounds {
-                let cases: Vec<_> = (0..17)
-                    .map(|kind| {
-                        // an error in every third round
-                        let kind = if round % 3 == 0 { kind } else { 11 * kind + 2 + kind % 9 };
-                        problem(any_kind(&mut random, kind).map(|x| x as $float))
-                    })
-                    .collect();
-                let soft = SlipFriction { slide_factor: 0.4, layer: 3e-14, ..law };
-                let law = (round % 2 == 1).then_some(if round % 4 == 1 { &law } else { &soft });
-                let single = |k: usize| {
-                    let mut found = untouched;
-                    let outputs =
-                        kstrip::ffi::types::Outputs { derivatives: &mut found, ..nowhere() };
-                    let (contact, creepage) = (Some(&cases[k].0), Some(&cases[k].1));
-                    let status = unsafe {
-                        $evaluate(contact, creepage, law, Some(&options), Some(&outputs))
-                    };
-                    (status, entries(&found))
-                };
-                let (contacts, creepages): (Vec<_>, Vec<_>) = cases.iter().copied().unzip();
-                let mut found = vec![untouched; cases.len()];
-                let from = kstrip::ffi::types::BatchInputs {
-                    law: law.map_or(std::ptr::null(), |law| law),
-                    ..batch_inputs(contacts.as_ptr(), creepages.as_ptr())
-                };
-                let to = kstrip::ffi::types::BatchOutputs {
-                    derivatives: found.as_mut_ptr(),
-                    derivatives_stride: size_of::<Derivatives>() as isize,
-                    ..no_batch()
-                };
-                let count = cases.len() as u32;
-                let status = unsafe { $batch(Some(&from), count, Some(&options), Some(&to), None) };
-                let alone: Vec<_> = (0..cases.len()).map(single).collect();
-                let first = alone.iter().find(|(status, _)| *status < 0);
-                errors += usize::from(first.is_some());
-                let told = alone.iter().map(|(status, _)| told(*status));
-                let worst = told.fold(Warning::None, Warning::worse).code();
-                assert_eq!(status, first.map_or(worst, |(status, _)| *status), "{options:?}");
-                for (k, (found, (_, alone))) in found.iter().zip(&alone).enumerate() {
-                    let expected = if first.is_some() { entries(&untouched) } else { *alone };
-                    assert_eq!(entries(found), expected, "{options:?} {:?}", cases[k]);
-                }
-                // aligned, and smaller than what it steps over
-                let packed = kstrip::ffi::types::BatchOutputs {
-                    derivatives: found.as_mut_ptr(),
-                    derivatives_stride: align_of::<Derivatives>() as isize,
-                    ..no_batch()
-                };
-                let status =
-                    unsafe { $batch(Some(&from), count, Some(&options), Some(&packed), None) };
-                assert_eq!(status, Error::Stride.code(), "{options:?}");
-            }
-            assert!((10..110).contains(&errors), "{errors}");
-        }
+fn derivatives_in_any_company<F: InC>() {
+    let [friction, ratio, decay, rolling_speed, slope_factor] =
+        [0.3, 0.4, 0.6, 20.0, 0.5].map(F::of);
+    let constant = SlipFriction::of_constant(friction);
+    let law = SlipFriction { ratio, decay, rolling_speed, slope_factor, ..constant };
+    let entries = |d: &Derivatives<F>| {
+        let [x, y, z] = d.jacobian;
+        [x, y, z, d.normal_force, d.load_through_hertz, d.friction].map(|row| row.map(F::bits))
     };
+    let untouched = Derivatives::default();
+    let mut random = Random::new(8);
+    let mut errors = 0;
+    let rounds = (0..12).flat_map(|round| options().map(move |options| (round, options)));
+    for (round, options) in rounds {
+        let cases: Vec<_> = (0..17)
+            .map(|kind| {
+                // an error in every third round
+                let kind = if round % 3 == 0 { kind } else { 11 * kind + 2 + kind % 9 };
+                problem(any_kind(&mut random, kind).map(F::of))
+            })
+            .collect();
+        let soft = SlipFriction { slide_factor: F::of(0.4), layer: F::of(3e-14), ..law };
+        let law = (round % 2 == 1).then_some(if round % 4 == 1 { &law } else { &soft });
+        let single = |k: usize| {
+            let mut found = untouched;
+            let outputs = Outputs { derivatives: &mut found, ..nowhere() };
+            let asked = (&cases[k].0, &cases[k].1, &options);
+            let status = unsafe { F::evaluate(asked, law, &outputs) };
+            (status, entries(&found))
+        };
+        let (contacts, creepages): (Vec<_>, Vec<_>) = cases.iter().copied().unzip();
+        let mut found = vec![untouched; cases.len()];
+        let from = BatchInputs {
+            law: law.map_or(std::ptr::null(), |law| law),
+            ..batch_inputs(contacts.as_ptr(), creepages.as_ptr())
+        };
+        let to = BatchOutputs {
+            derivatives: found.as_mut_ptr(),
+            derivatives_stride: size_of::<Derivatives<F>>() as isize,
+            ..no_batch()
+        };
+        let status = unsafe { F::batch(&from, cases.len(), &options, &to, None) };
+        let alone: Vec<_> = (0..cases.len()).map(single).collect();
+        let first = alone.iter().find(|(status, _)| *status < 0);
+        errors += usize::from(first.is_some());
+        let told = alone.iter().map(|(status, _)| told(*status));
+        let worst = told.fold(Warning::None, Warning::worse).code();
+        assert_eq!(status, first.map_or(worst, |(status, _)| *status), "{options:?}");
+        for (k, (found, (_, alone))) in found.iter().zip(&alone).enumerate() {
+            let expected = if first.is_some() { entries(&untouched) } else { *alone };
+            assert_eq!(entries(found), expected, "{options:?} {:?}", cases[k]);
+        }
+        // aligned, and smaller than what it steps over
+        let packed = BatchOutputs {
+            derivatives: found.as_mut_ptr(),
+            derivatives_stride: align_of::<Derivatives<F>>() as isize,
+            ..no_batch()
+        };
+        let status = unsafe { F::batch(&from, cases.len(), &options, &packed, None) };
+        assert_eq!(status, Error::Stride.code(), "{options:?}");
+    }
+    assert!((10..110).contains(&errors), "{errors}");
 }
 
-derivatives_in_any_company!(
-    derivatives_in_any_company_are_those_of_single_calls,
-    f64,
-    kstrip_evaluate,
-    kstrip_evaluate_batch
-);
-derivatives_in_any_company!(
-    derivatives_in_any_company_too_in_single_precision,
-    f32,
-    kstrip_evaluate_f32,
-    kstrip_evaluate_batch_f32
-);
+#[test]
+fn derivatives_in_any_company_are_those_of_single_calls() {
+    derivatives_in_any_company::<f64>();
+}
+
+#[test]
+fn derivatives_in_any_company_too_in_single_precision() {
+    derivatives_in_any_company::<f32>();
+}

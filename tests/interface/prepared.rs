@@ -1,54 +1,49 @@
 //! A prepared contact gives the bits of `kstrip_solve`, and nothing that was not prepared is taken
 //! for one.
 
+use kstrip::forces::prepared::Prepared;
+use kstrip_testing::in_c::{InC, bits_of};
 use kstrip_testing::names::*;
 use kstrip_testing::prelude::*;
 
-macro_rules! same_bits {
-    ($float:ident, $solve:ident, $prepare:ident, $prepared:ident) => {
-        let mut random = Random::new(7);
-        for n in 0..4000 {
-            let load = if n % 9 == 0 { 0.0 } else { random.log_between(1.0, 1e6) };
-            let friction = if n % 11 == 0 { 0.0 } else { random.between(0.01, 0.6) };
-            let mismatch = if n % 5 == 0 { random.between(-0.2, 0.2) } else { 0.0 };
-            let (a, nu) = (4e-3 * random.log_between(0.02, 50.0), random.between(0.0, 0.5));
-            let strips = [0, 4, 8, 16, 32, 64][(n / 6) as usize % 6];
-            let options = kstrip_options { model: n % 6, strips };
-            for k in 0..4 {
-                let size = random.log_between(1e-7, 1.0);
-                let mut part = |zero| if zero { 0.0 } else { size * random.between(-1.0, 1.0) };
-                let [x, y, spin] = [part(k == 1), part(k == 2), 100.0 * part(k == 3)];
-                let numbers = [a, 4e-3, load, 82e9, nu, friction, x, y, spin, mismatch];
-                let (contact, creepage) = problem(numbers.map(|number| number as $float));
-                let mut prepared = MaybeUninit::uninit();
-                assert_eq!($prepare(Some(&contact), Some(&options), Some(&mut prepared)), 0);
-                // SAFETY: status 0.
-                let prepared = unsafe { prepared.assume_init() };
-                let mut found = [MaybeUninit::<Solution<$float>>::uninit(); 2];
-                let [one, other] = &mut found;
-                let status = $solve(Some(&contact), Some(&creepage), Some(&options), Some(one));
-                let same = $prepared(Some(&prepared), Some(&creepage), Some(other));
-                assert!(status >= 0 && status == same, "{status} {same}");
-                // SAFETY: written.
-                let [one, other] = found.map(|found| unsafe { found.assume_init() });
-                let bits = |r: Solution<$float>| {
-                    ([r.fx, r.fy, r.mz, r.power, r.adhesion].map($float::to_bits), r.warning)
-                };
-                assert_eq!(bits(one), bits(other), "{options:?} {contact:?} {creepage:?}");
-            }
+fn same_bits<F: InC>() {
+    let mut random = Random::new(7);
+    for n in 0..4000 {
+        let load = if n % 9 == 0 { 0.0 } else { random.log_between(1.0, 1e6) };
+        let friction = if n % 11 == 0 { 0.0 } else { random.between(0.01, 0.6) };
+        let mismatch = if n % 5 == 0 { random.between(-0.2, 0.2) } else { 0.0 };
+        let (a, nu) = (4e-3 * random.log_between(0.02, 50.0), random.between(0.0, 0.5));
+        let strips = [0, 4, 8, 16, 32, 64][(n / 6) as usize % 6];
+        let options = kstrip_options { model: n % 6, strips };
+        for k in 0..4 {
+            let size = random.log_between(1e-7, 1.0);
+            let mut part = |zero| if zero { 0.0 } else { size * random.between(-1.0, 1.0) };
+            let [x, y, spin] = [part(k == 1), part(k == 2), 100.0 * part(k == 3)];
+            let numbers = [a, 4e-3, load, 82e9, nu, friction, x, y, spin, mismatch];
+            let (contact, creepage) = problem(numbers.map(F::of));
+            let prepared = prepared(&contact, &options);
+            let mut found = [MaybeUninit::<Solution<F>>::uninit(); 2];
+            let [one, other] = &mut found;
+            let status = F::solve((&contact, &creepage, &options), one);
+            let same = F::solve_prepared(&prepared, &creepage, other);
+            assert!(status >= 0 && status == same, "{status} {same}");
+            // SAFETY: written.
+            let [one, other] = found.map(|found| unsafe { found.assume_init() });
+            let bits = |r: Solution<F>| (bits_of(&r), r.warning);
+            assert_eq!(bits(one), bits(other), "{options:?} {contact:?} {creepage:?}");
         }
-    };
+    }
 }
 
 #[test]
 fn prepared_contacts_give_the_same_bits() {
-    same_bits!(f64, kstrip_solve, kstrip_prepare, kstrip_solve_prepared);
-    same_bits!(f32, kstrip_solve_f32, kstrip_prepare_f32, kstrip_solve_prepared_f32);
+    same_bits::<f64>();
+    same_bits::<f32>();
 }
 
-fn prepared(contact: &kstrip_contact, options: &kstrip_options) -> kstrip_prepared {
+fn prepared<F: InC>(contact: &Contact<F>, options: &kstrip_options) -> Prepared<F> {
     let mut prepared = MaybeUninit::uninit();
-    assert_eq!(kstrip_prepare(Some(contact), Some(options), Some(&mut prepared)), 0);
+    assert_eq!(F::prepare(contact, options, &mut prepared), 0);
     // SAFETY: status 0.
     unsafe { prepared.assume_init() }
 }
@@ -163,7 +158,7 @@ fn the_other_precision_is_refused() {
         };
         (single.model, single.strips) = (model, 16);
         let mut out = MaybeUninit::uninit();
-        let status = kstrip_solve_prepared_f32(Some(&single), Some(&creepage), Some(&mut out));
+        let status = f32::solve_prepared(&single, &creepage, &mut out);
         assert_eq!(status, KSTRIP_ERROR_NOT_PREPARED, "{model}");
     }
 }

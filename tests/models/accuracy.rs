@@ -79,26 +79,24 @@ impl Measured {
     fn row(&mut self, set: &str, model: &str, strips: i32, region: &str) -> Row {
         let single = set.ends_with("/f32");
         let law = Model::ALL.into_iter().find(|law| name(*law) == model);
+        let strips_of_law = StripCount::from_number(strips).unwrap_or_default();
+        let options = || options(law.expect("a model"), strips_of_law);
         match set.trim_end_matches("/f32") {
             "fields" => field_row(law.expect("a model"), single),
             "coefficients" => coefficient_row(model, region, single),
             felt @ ("slopes" | "rays" | "ripple" | "limits" | "power") => {
-                let count = StripCount::from_number(strips).unwrap_or_default();
-                let options = options(law.expect("a model"), count);
-                felt_row(felt, region, &|case| answer::<f64>(case, &options))
+                felt_row(felt, region, &|case| answer::<f64>(case, &options()))
             }
             set => {
-                let count = StripCount::from_number(strips).unwrap_or_default();
-                let options = options(law.expect("a model"), count);
                 let cases = if set == "open" { &self.open } else { &self.validation };
                 let errors = self
                     .errors
                     .entry(format!("{set} {model} {strips} {single}"))
                     .or_insert_with(|| {
                         if single {
-                            Errors::of_model::<f32>(cases, &options)
+                            Errors::of_model::<f32>(cases, &options())
                         } else {
-                            Errors::of_model::<f64>(cases, &options)
+                            Errors::of_model::<f64>(cases, &options())
                         }
                     });
                 let region = REGIONS.iter().find(|r| r.name == region).expect("a region");

@@ -24,9 +24,7 @@ fn along(creepage: f64) -> Creepage<f64> {
 }
 
 fn point(creepage: f64, fx: f64) -> MeasuredForce<f64> {
-    let (longitudinal, fy, weight, measured) = (creepage, f64::NAN, 1.0, 1);
-    let [lateral, spin] = [0.0; 2];
-    MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved: 0 }
+    measured_force(along(creepage), [fx, f64::NAN], 1)
 }
 
 fn measured() -> Vec<MeasuredForce<f64>> {
@@ -127,9 +125,9 @@ fn a_law_finds_itself() {
     let points: Vec<_> = (1..=12)
         .map(|i| {
             let size = 2e-4 * f64::from(i * i);
-            let (lateral, spin) = (0.5 * size, 0.1);
-            let Solution { fx, fy, .. } = behind(&creep(size, lateral, spin), &truth);
-            MeasuredForce { lateral, spin, fy, weight: 2.0, measured: 3, ..point(size, fx) }
+            let motion = creep(size, 0.5 * size, 0.1);
+            let Solution { fx, fy, .. } = behind(&motion, &truth);
+            MeasuredForce { weight: 2.0, ..measured_force(motion, [fx, fy], 3) }
         })
         .collect();
     let found =

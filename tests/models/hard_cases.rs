@@ -2,8 +2,9 @@
 //! each gives a right answer or a named status, and an error leaves the outputs as they were.
 
 use crate::prelude::*;
-use kstrip::ffi::types::{BatchInputs, BatchOutputs, Outputs};
+use kstrip::ffi::types::Outputs;
 use kstrip::friction::derivatives::LawDerivatives;
+use kstrip_testing::in_c::InC;
 use kstrip_testing::names::*;
 use kstrip_testing::poison::{poisoned, untouched};
 use kstrip_testing::single::{converted, converted_motion};
@@ -12,50 +13,6 @@ use kstrip_testing::theory::{BASE, Law};
 const WHEEL: Contact<f64> = Contact { b: 4e-3, ..C0 };
 const MOTION: Creepage<f64> = creep(1e-3, -5e-4, 0.2);
 const REST: Creepage<f64> = creep(0.0, 0.0, 0.0);
-
-/// What a function is asked about.
-type Asked<'a, F> = (&'a Contact<F>, &'a Creepage<F>, &'a kstrip_options);
-
-/// The C functions of a precision; all places that they get are there.
-trait InC: Float {
-    fn solve(asked: Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32;
-    unsafe fn evaluate(asked: Asked<Self>, out: &Outputs<Self>) -> i32;
-    unsafe fn batch(from: &BatchInputs<Self>, o: &kstrip_options, to: &BatchOutputs<Self>) -> i32;
-    unsafe fn field(asked: Asked<Self>, x: &[Self], y: &[Self], to: *mut FieldPoint<Self>) -> i32;
-}
-
-macro_rules! in_c {
-    ($float:ident, $solve:ident, $evaluate:ident, $batch:ident, $field:ident) => {
-        impl InC for $float {
-            fn solve((c, m, o): Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32 {
-                $solve(Some(c), Some(m), Some(o), Some(out))
-            }
-            unsafe fn evaluate((c, m, o): Asked<Self>, out: &Outputs<Self>) -> i32 {
-                unsafe { $evaluate(Some(c), Some(m), None, Some(o), Some(out)) }
-            }
-            unsafe fn batch(
-                from: &BatchInputs<Self>,
-                o: &kstrip_options,
-                to: &BatchOutputs<Self>,
-            ) -> i32 {
-                unsafe { $batch(Some(from), 1, Some(o), Some(to), None) }
-            }
-            unsafe fn field(
-                (c, m, o): Asked<Self>,
-                x: &[Self],
-                y: &[Self],
-                to: *mut FieldPoint<Self>,
-            ) -> i32 {
-                let (columns, rows) = (x.len() as u32, y.len() as u32);
-                let (c, m, o, x, y) = (Some(c), Some(m), Some(o), x.as_ptr(), y.as_ptr());
-                unsafe { $field(c, m, None, o, x, columns, y, rows, to, columns * rows) }
-            }
-        }
-    };
-}
-
-in_c!(f64, kstrip_solve, kstrip_evaluate, kstrip_evaluate_batch, kstrip_field);
-in_c!(f32, kstrip_solve_f32, kstrip_evaluate_f32, kstrip_evaluate_batch_f32, kstrip_field_f32);
 
 fn finite<F: Float>(numbers: &[F]) -> bool {
     numbers.iter().all(|number| number.is_finite_number())
@@ -88,7 +45,8 @@ fn one_answer<F: InC>(
     assert_eq!(F::solve((c, m, &o), &mut result[0]), status, "{}", what());
     let mut one = [poisoned::<Solution<F>>()];
     // SAFETY: one contact, and a place for one result.
-    let batch = unsafe { F::batch(&batch_inputs(c, m), &o, &batch_results(one[0].as_mut_ptr())) };
+    let batch =
+        unsafe { F::batch(&batch_inputs(c, m), 1, &o, &batch_results(one[0].as_mut_ptr()), None) };
     assert_eq!(batch, status, "{}", what());
     let mut second = [poisoned::<Solution<F>>()];
     let mut slopes = [poisoned::<Derivatives<F>>()];
@@ -100,7 +58,7 @@ fn one_answer<F: InC>(
         ..nowhere()
     };
     // SAFETY: the places are there.
-    let with_slopes = unsafe { F::evaluate((c, m, &o), &outputs) };
+    let with_slopes = unsafe { F::evaluate((c, m, &o), None, &outputs) };
     // A derivative may be too large where the force is not.
     let overflows = status >= 0 && with_slopes == Error::Overflow.code();
     assert!(with_slopes == status || overflows, "{with_slopes} {}", what());
@@ -129,7 +87,7 @@ fn one_answer<F: InC>(
     // SAFETY: the places are there, and as many as the counts say.
     let inside = unsafe {
         [
-            F::evaluate((c, m, &o), &outputs),
+            F::evaluate((c, m, &o), None, &outputs),
             F::field((c, m, &o), &x, &y, points.as_mut_ptr().cast()),
         ]
     };

@@ -38,6 +38,19 @@ fn any_speed(random: &mut Random) -> f64 {
     }
 }
 
+/// Contacts and motions of any speed, with options and a law.
+fn states(
+    seed: u64,
+    count: usize,
+) -> impl Iterator<Item = (Contact<f64>, Motion<f64>, Options, Option<SlipFriction<f64>>)> {
+    let mut random = Random::new(seed);
+    (0..count).map(move |n| {
+        let (c, speed) = (any_contact(&mut random), any_speed(&mut random));
+        let m = any_motion(&mut random, &c, speed);
+        (c, m, sixteen(Model::ALL[n % 5]), LAWS[n / 5 % 3])
+    })
+}
+
 /// From three floors on it is one end that leads, exactly: forward the creepage is slip over speed,
 /// backward the contact is turned by 180 degrees, solved and turned back.
 #[test]
@@ -77,12 +90,7 @@ fn far_from_standstill_one_end_leads() {
 /// far as the model sums its strips alike from either side: to rounding.
 #[test]
 fn mirrors_are_exact() {
-    let mut random = Random::new(202);
-    for n in 0..600 {
-        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
-        let speed = any_speed(&mut random);
-        let m = any_motion(&mut random, &c, speed);
-        let law = LAWS[n / 5 % 3];
+    for (n, (c, m, o, law)) in states(202, 600).enumerate() {
         let (found, mu, slopes) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
         let (plain, plain_mu) = solve_motion(&c, &m, law.as_ref(), &o).unwrap();
         assert!((plain.fx - found.fx).abs() <= 1e-12 * c.friction_bound());
@@ -203,15 +211,11 @@ fn force_and_derivatives_are_continuous_through_standstill() {
 /// through Hertz, friction and the law.
 #[test]
 fn derivatives_are_those_of_the_forces() {
-    let mut random = Random::new(204);
     let mut comparison = Comparison::default();
-    for n in 0..240 {
-        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
-        let law = LAWS[n / 5 % 3].map(|law| SlipFriction { friction: c.friction, ..law });
-        let speed = any_speed(&mut random);
-        let m = any_motion(&mut random, &c, speed);
+    for (n, (c, m, o, law)) in states(204, 240).enumerate() {
+        let law = law.map(|law| SlipFriction { friction: c.friction, ..law });
         let (_, _, s) = differentiate_motion(&c, &m, law.as_ref(), &o).unwrap();
-        let (radius, v_f) = ((c.a * c.b).sqrt(), speed.hypot(FLOOR));
+        let (radius, v_f) = ((c.a * c.b).sqrt(), m.rolling_speed.hypot(FLOOR));
         let slip = m.slip_x.abs() + m.slip_y.abs() + radius * m.spin_rate.abs();
         let shaken = |which: usize, by: f64| {
             let (mut c, mut m, mut law) = (c, m, law);
@@ -309,11 +313,7 @@ fn friction_falls_with_the_slip_velocity_at_standstill() {
 #[test]
 fn a_law_of_zeros_behaves_as_written() {
     let zero = falling(0.0, 0.0, 0.0, 0.0, 0.0);
-    let mut random = Random::new(208);
-    for n in 0..100 {
-        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
-        let speed = any_speed(&mut random);
-        let m = any_motion(&mut random, &c, speed);
+    for (c, m, o, _) in states(208, 100) {
         let constant = SlipFriction { friction: c.friction, ..zero };
         let (plain, with_law) =
             (solve_motion(&c, &m, None, &o), solve_motion(&c, &m, Some(&constant), &o));
@@ -412,11 +412,7 @@ fn at_rest_the_contact_is_a_damper_of_linear_theory() {
 
 #[test]
 fn single_precision_follows() {
-    let mut random = Random::new(207);
-    for n in 0..200 {
-        let (c, o) = (any_contact(&mut random), sixteen(Model::ALL[n % 5]));
-        let speed = any_speed(&mut random);
-        let m = any_motion(&mut random, &c, speed);
+    for (n, (c, m, o, _)) in states(207, 200).enumerate() {
         let single = single(&c);
         let motion = Motion::<f32> {
             slip_x: m.slip_x as f32,

@@ -4,15 +4,8 @@ use crate::patches::motion;
 use crate::prelude::*;
 use kstrip::patch::friction::{PatchFrictionSolution, differentiate_patch, solve_patch_with_law};
 
-const DRY: SlipFriction<f64> = SlipFriction {
-    friction: f64::NAN, // that of the strips
-    ratio: 0.4,
-    decay: 0.6,
-    rolling_speed: 20.0,
-    slope_factor: 1.0,
-    slide_factor: 0.0,
-    layer: 0.0,
-};
+/// Polach's dry rail at 20 m/s; friction is that of the strips.
+const DRY: SlipFriction<f64> = falling(f64::NAN, 0.4, 0.6, 20.0, 1.0);
 
 /// Models without a jump on strips that do not move with the solution.
 const SMOOTH: [Model; 2] = [Model::Strip, Model::Strip1967Continuous];

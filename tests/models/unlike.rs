@@ -240,12 +240,7 @@ fn agrees_with_contact() {
 #[test]
 fn the_warning_of_a_mismatch_begins_at_a_quarter() {
     let motion = creep(1e-4, 0.0, 0.0);
-    let law = SlipFriction {
-        ratio: 0.4,
-        decay: 0.6,
-        rolling_speed: 20.0,
-        ..SlipFriction::of_constant(0.3)
-    };
+    let law = falling(0.3, 0.4, 0.6, 20.0, 1.0);
     for (mismatch, expected) in [(0.2475, Warning::None), (-0.2525, Warning::Mismatch)] {
         let contact = Contact { mismatch, ..contact(1.5, 0.3) };
         let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();

@@ -21,15 +21,8 @@ fn contacts(yaw: f64, left: bool) -> Vec<WheelContact<f64>> {
     found
 }
 
-const FALLING: SlipFriction<f64> = SlipFriction {
-    friction: 0.3,
-    ratio: 0.4,
-    decay: 0.6,
-    rolling_speed: 0.0,
-    slope_factor: 0.7,
-    slide_factor: 0.5,
-    layer: 2e-14,
-};
+const FALLING: SlipFriction<f64> =
+    SlipFriction { slide_factor: 0.5, layer: 2e-14, ..falling(0.3, 0.4, 0.6, 0.0, 0.7) };
 
 fn rolling(speed: f64) -> Velocity<f64> {
     Velocity {
