@@ -9,14 +9,14 @@ use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows_to, evens_first, every_second, table, widen};
 use crate::number::{Arithmetic, Number, Pair, Real, Strips};
+use crate::numerics::ramp;
 
 const UNITS: usize = OUTPUT.len();
 /// Number of features of `network` that are used here too: the last ones.
 const SHARED: usize = 8;
 const INPUTS: usize = INPUT.len();
-/// `√(a/b)` where the corrections begin, and the distance over which their weight grows to one.
-const FROM: f64 = 2.65;
-const OVER: f64 = 1.1;
+/// `√(a/b)` where the corrections begin, and where their weight is one.
+const LONG: [f64; 2] = [2.65, 3.75];
 /// Axis ratio where the flexibilities of rigid slip take over at [`super::constants::SATURATION`].
 const SATURATES_AT: f64 = 10.0;
 
@@ -36,7 +36,7 @@ impl<F: Real> LongContact<F> {
     #[inline]
     pub fn new(root: F, ratio: F, poisson: F) -> Self {
         // w = z³ (10 − 15 z + 6 z²)
-        let z = root.plus(-FROM).times(1.0 / OVER).clamped(F::zero(), F::one());
+        let z = ramp(root, LONG);
         let share = z * z.squared() * (z * (z.times(6.0).plus(-15.0))).plus(10.0);
         if !share.exceeds(F::zero()) {
             return Self { share, small: F::zero(), start: [F::zero(); UNITS] };

@@ -32,7 +32,7 @@ use crate::normal::Indentation;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float, add, are_finite, at, length};
-use crate::numerics::smooth_step;
+use crate::numerics::{ramp, smooth_step};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
 
@@ -193,22 +193,41 @@ impl<F: Float> WheelContact<F> {
     /// Fills the contact from strips along the rail.
     pub(super) fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
-        let (zero, one) = (F::zero(), F::one());
         self.patch = *strips;
-        let count = strips.count as usize;
-        // sums weighted with load: place, length, angle, 1; tangent and normal with their moments
-        let (mut sums, mut lowest, mut highest) = ([[zero; 6]; 3], F::LARGEST, -F::LARGEST);
+        let sums = self.sums_of_strips(view);
+        let [[.., load], _, _] = sums;
+        let share = F::one() / (load + F::TINY);
+        let [[x, y, z, along, angle, _], tangent, normal] =
+            sums.map(|sums| sums.map(|sum| sum * share));
+        self.refer_strips_to([x, along, angle], share);
+        if pair.rail_radius > F::zero() {
+            self.own = F::zero();
+        }
+        (self.turned, self.left, self.reserved) = ([position.roll, position.yaw], pair.left, 0);
+        self.origin = [x, if pair.left != 0 { -y } else { y }, z];
+        let [in_x, _, in_z] = self.axes().turn.to_wheelset([x, y, z]);
+        self.radius = length(in_x, in_z);
+        (self.normal_force, self.along, self.angle) = (load, along, angle);
+        (self.approach, self.stiffness) = (found.approach, found.stiffness);
+        self.normal_damping = pair.normal_damping;
+        self.set_motion(view, [x, y, z], [tangent, normal]);
+    }
+
+    /// Places of the strips on the wheel, and their friction. Returns sums weighted with load: of
+    /// place, length along the rail, angle and 1; of the tangent and of the normal with their
+    /// moments.
+    fn sums_of_strips(&mut self, view: &View<F>) -> [[F; 6]; 3] {
+        let (mut sums, mut lowest, mut highest) = ([[F::zero(); 6]; 3], F::LARGEST, -F::LARGEST);
         let places = self.strip_y.iter_mut().zip(&mut self.strip_z).zip(&mut self.strip_angle);
-        for (strip, ((own_y, own_z), own_angle)) in
-            self.patch.strips.iter_mut().take(count).zip(places)
-        {
+        let strips = self.patch.strips.iter_mut().take(self.patch.count as usize);
+        for (strip, ((own_y, own_z), own_angle)) in strips.zip(places) {
             let [x, y, z, angle] = view.at(strip.y);
             (*own_y, *own_z, *own_angle) = (y, z, angle);
             (lowest, highest) = (lowest.min(angle), highest.max(angle));
             let (sine, cosine) = sine_cosine(angle);
             let over = view.over(x, z);
             let terms = [
-                [x, y, z, strip.y, angle, one],
+                [x, y, z, strip.y, angle, F::one()],
                 with_moment([x, y, z], over.turned(cosine, sine)),
                 with_moment([x, y, z], over.turned(-sine, cosine)),
             ];
@@ -216,45 +235,45 @@ impl<F: Float> WheelContact<F> {
             for (sums, terms) in sums.iter_mut().zip(terms) {
                 add(sums, terms.map(|term| load * term));
             }
-            strip.friction = pair.friction_at_rail(position.lateral + y);
+            strip.friction = view.pair.friction_at_rail(view.position.lateral + y);
         }
-        let [[.., load], _, _] = sums;
-        let share = one / (load + F::TINY);
-        let [[x, y, z, along, angle, _], tangent, normal] =
-            sums.map(|sums| sums.map(|sum| sum * share));
-        let mut turns = zero;
-        for (strip, own) in self.patch.strips.iter_mut().take(count).zip(&self.strip_angle) {
+        self.angle_range = highest - lowest;
+        sums
+    }
+
+    /// Refers the strips to the means of x, length along the rail and angle, and sets the share of
+    /// their own slip by the turn of the normal; `share` is one over the load.
+    fn refer_strips_to(&mut self, [x, along, angle]: [F; 3], share: F) {
+        let mut turns = F::zero();
+        let strips = self.patch.strips.iter_mut().take(self.patch.count as usize);
+        for (strip, own) in strips.zip(&self.strip_angle) {
             turns += strip.load() * (*own - angle).squared();
             (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
         }
         // with half-ellipses of load on an even curve the turn is 2 √5 times the deviation
         let turn = (turns * share).sqrt().times(2.0 * 2.236_067_977_499_79);
-        let t = turn.plus(-TURN[0]).times(1.0 / (TURN[1] - TURN[0])).clamped(zero, one);
-        let own = smooth_step(t).times(OWN);
-        self.own = if pair.rail_radius > zero { zero } else { own };
-        let [a, b, c, ..] = normal;
+        self.own = smooth_step(ramp(turn, TURN)).times(OWN);
+    }
+
+    /// Derivatives of slip, spin and rolling speed at a place with respect to the wheel's velocity,
+    /// and the motion of the rail.
+    fn set_motion(&mut self, view: &View<F>, place: [F; 3], [tangent, normal]: [[F; 6]; 2]) {
+        let (zero, [x, _, z], [a, b, c, ..]) = (F::zero(), place, normal);
         let over = view.over(x, z);
-        let forward = with_moment([x, y, z], [over.cosine, zero, over.sine]);
+        let forward = with_moment(place, [over.cosine, zero, over.sine]);
+        // V = (v_x − (ω×p)_x)/2
         let mut rolling = forward.map(|entry| entry.times(-0.5));
         let [speed, ..] = &mut rolling;
         *speed = speed.plus(1.0);
-        (self.turned, self.left, self.reserved) = ([position.roll, position.yaw], pair.left, 0);
         let axes = self.axes();
         let own = |row| axes.members(row);
         self.normal = own(normal);
         (self.slip_x, self.slip_y) = (own(forward), own(tangent));
         (self.spin_rate, self.rolling_speed) = (own([zero, zero, zero, a, b, c]), own(rolling));
-        self.origin = [x, if pair.left != 0 { -y } else { y }, z];
-        (self.angle, self.angle_range) = (angle, highest - lowest);
-        let [in_x, _, in_z] = axes.turn.to_wheelset([x, y, z]);
-        self.radius = length(in_x, in_z);
-        (self.normal_force, self.along) = (load, along);
-        (self.approach, self.stiffness) = (found.approach, found.stiffness);
-        self.normal_damping = pair.normal_damping;
         // V ρ/R backward, and the rate V/R about y
-        let speed = pair.rail_speed;
-        let (slip_x, rate) = if pair.rail_radius > zero {
-            (speed * (over.distance / pair.rail_radius), speed / pair.rail_radius)
+        let WheelPair { rail_speed: speed, rail_radius, floor_speed, .. } = *view.pair;
+        let (slip_x, rate) = if rail_radius > zero {
+            (speed * (over.distance / rail_radius), speed / rail_radius)
         } else {
             (speed, zero)
         };
@@ -263,7 +282,7 @@ impl<F: Float> WheelContact<F> {
             slip_y: zero,
             spin_rate: -b * rate,
             rolling_speed: slip_x.times(0.5),
-            floor_speed: pair.floor_speed,
+            floor_speed,
         };
     }
 }

@@ -23,7 +23,7 @@
 use crate::normal::crossings::Overlap;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float, pairs};
-use crate::numerics::smooth_step;
+use crate::numerics::{ramp, smooth_step};
 use crate::status::Error;
 use core::mem;
 use heapless::Vec;
@@ -38,9 +38,7 @@ pub(super) const ZONES: usize = 16;
 
 /// Probability that `T` exceeds a free length: 1 up to 4 mm, 0 from 8 mm on, smooth between.
 fn nearness<F: Float>(free: F) -> F {
-    let t =
-        (free.plus(-ONE_CONTACT).times(1.0 / (APART - ONE_CONTACT))).clamped(F::zero(), F::one());
-    F::one() - smooth_step(t)
+    F::one() - smooth_step(ramp(free, [ONE_CONTACT, APART]))
 }
 
 /// Largest number of groups.

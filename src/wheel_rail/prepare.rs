@@ -14,6 +14,7 @@ use super::plausibility::ROUGH_AND_COARSE;
 use super::spine::Polyline;
 use super::surface::{CurvePoint, Surface};
 use crate::number::{Float, are_finite};
+use crate::numerics::ramp;
 use crate::status::{Error, Warning};
 
 /// Shortest extent of a profile, and largest coordinate \[m\].
@@ -64,18 +65,8 @@ impl<F: Float> Surface<F> {
         Error::NotFinite.unless([y, z, &[step, smoothing_length]].into_iter().all(are_finite))?;
         Error::SmoothingLength.when(smoothing_length < F::zero())?;
         Error::Profile.when(step < F::zero())?;
-        let extents = [y, z].map(|list| {
-            let least = list.iter().fold(F::LARGEST, |least, x| least.min(*x));
-            let most = list.iter().fold(-F::LARGEST, |most, x| most.max(*x));
-            [least, most]
-        });
-        let [[left, right], [top, bottom]] = extents;
-        let farthest = extents.iter().flatten().fold(F::zero(), |most, x| most.max(x.abs()));
-        Error::Overflow.when(farthest > F::of(LARGEST))?;
-        let extent = distance([left, top], [right, bottom]);
-        Error::Overflow.when(extent < F::of(SHORTEST))?;
         let mut line = Polyline::new();
-        let radius = line.follow(y, z, extent)?;
+        let radius = line.follow(y, z, extent(y, z)?)?;
         let most = KSTRIP_SURFACE_CAPACITY as i32 - 1;
         let room = F::widened(most as f32);
         let length = line.length();
@@ -85,21 +76,12 @@ impl<F: Float> Surface<F> {
         let is_reversed = line.is_reversed();
         let given = F::widened((y.len() - 1) as f32);
         let mut knots = Knots::new(self);
-        let mut smoothing = smoothing_length;
-        let apart = length / given;
-        let share = |x: F, [none, all]: [f64; 2]| {
-            x.plus(-none).times(1.0 / (all - none)).clamped(F::zero(), F::one())
-        };
-        let coarse = share(room / given, COARSE);
-        let mut is_rough = false;
+        let (mut smoothing, mut is_rough) = (smoothing_length, false);
+        let coarse = ramp(room / given, COARSE);
         let is_tried = smoothing <= F::zero() && coarse > F::zero();
         if is_tried {
-            // (between the points of a rough profile lies what nobody measured)
             knots.collect_points(true, &line, radius, y, z);
-            knots.smooth(apart.times(TRIED), &mut line);
-            let [mean, farthest] = knots.distances(&line);
-            is_rough = farthest > apart.times(ROUGH);
-            smoothing = apart.times(DISTANCES) * coarse * share(mean / apart, DRAWN);
+            (smoothing, is_rough) = default_smoothing(&knots, &mut line, length / given, coarse);
         }
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
         if !is_tried && smoothing <= F::zero() && y.len() + 2 <= SINGLE {
@@ -144,4 +126,32 @@ impl<F: Float> Surface<F> {
         let k = if is_reversed { chords - k } else { k };
         self.set_point(k, CurvePoint { y, z, cosine: F::zero(), sine: F::zero() });
     }
+}
+
+/// The distance between the corners of the rectangle around a profile.
+fn extent<F: Float>(y: &[F], z: &[F]) -> Result<F, Error> {
+    let extents = [y, z].map(|list| {
+        let least = list.iter().fold(F::LARGEST, |least, x| least.min(*x));
+        let most = list.iter().fold(-F::LARGEST, |most, x| most.max(*x));
+        [least, most]
+    });
+    let [[left, right], [top, bottom]] = extents;
+    let farthest = extents.iter().flatten().fold(F::zero(), |most, x| most.max(x.abs()));
+    Error::Overflow.when(farthest > F::of(LARGEST))?;
+    let extent = distance([left, top], [right, bottom]);
+    Error::Overflow.when(extent < F::of(SHORTEST)).map(|()| extent)
+}
+
+/// The smoothing length of a profile of few points, so far apart, and whether between them lies
+/// what nobody measured; `coarse` is 0 to 1. The line is overwritten.
+fn default_smoothing<F: Float>(
+    knots: &Knots<F>,
+    line: &mut Polyline<F>,
+    apart: F,
+    coarse: F,
+) -> (F, bool) {
+    knots.smooth(apart.times(TRIED), line);
+    let [mean, farthest] = knots.distances(line);
+    let smoothing = apart.times(DISTANCES) * coarse * ramp(mean / apart, DRAWN);
+    (smoothing, farthest > apart.times(ROUGH))
 }
