@@ -179,6 +179,5 @@ impl<F: Float, const N: usize> Zones<F, N> {
 
 /// `x²/(|x| + c)`, about the size of a number, without a kink.
 fn size<F: Float, const N: usize>(x: Dual<F, N>) -> Dual<F, N> {
-    let positive = if x.value < F::zero() { -x } else { x };
-    x.squared() / positive.plus(SLIGHT)
+    x.squared() / x.abs().plus(SLIGHT)
 }

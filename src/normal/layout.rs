@@ -187,9 +187,7 @@ fn leaning<F: Float, const N: usize>(
 
 /// Free length between two parts \[m\].
 fn gap<F: Float, const N: usize>(one: &Cell<F, N>, other: &Cell<F, N>) -> Dual<F, N> {
-    let apart = one.y - other.y;
-    let apart = if apart.value < F::zero() { -apart } else { apart };
-    (apart - (one.width + other.width).times(0.5)).max(Dual::zero())
+    ((one.y - other.y).abs() - (one.width + other.width).times(0.5)).max(Dual::zero())
 }
 
 /// `(1 − r)²/r` of a zone's share `r` of a whole cell; 0 for a whole cell or more.

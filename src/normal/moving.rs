@@ -1,6 +1,6 @@
 //! The smoothed distance of two surfaces that move: its derivatives in some directions.
 
-use crate::normal::parabola::{STEPS, near_points, with_ridge};
+use crate::normal::parabola::{around, near_points, spacings_at_ends, with_ridge};
 use crate::normal::profile::Profile;
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::normal::smooth::{SmoothedProfile, low_level};
@@ -72,32 +72,9 @@ impl<'a, F: Float> Moving<'a, F> {
     /// As the [`parabola`](super::parabola) has it.
     #[inline(always)]
     fn spacing(&self, place: Directed<F>, next: usize) -> Directed<F> {
-        let last = self.profile.y.len().saturating_sub(1);
-        let next = next.min(last).max(1);
-        // from the point three before the next one to that two after it
-        let y: [_; 6] = core::array::from_fn(|k| self.place((next + k).saturating_sub(3)));
-        let gaps: [_; 5] = core::array::from_fn(|k| match y.get(k..k + 2) {
-            Some([from, to]) => *to - *from,
-            _ => Directed::zero(),
-        });
-        let of = |gaps: &[Directed<F>], middle: usize| {
-            let (mut squares, mut length) = (Directed::zero(), Directed::tiny());
-            for gap in gaps {
-                squares += gap.squared();
-                length += *gap;
-            }
-            let even = (squares / length).times(STEPS);
-            match gaps.get(middle..middle + 2) {
-                Some([before, after]) => even.max(after.max(*before).times(0.5 * STEPS)),
-                _ => even,
-            }
-        };
+        let y = around(next, self.profile.y.len().saturating_sub(1), |k| self.place(k));
         let [_, _, from, to, _, _] = y;
-        let [first, .., end] = gaps;
-        let (before, after) = match (gaps.get(..4), gaps.get(1..)) {
-            (Some(before), Some(after)) => (of(before, 1), of(after, 1)),
-            _ => (first, end),
-        };
+        let [before, after] = spacings_at_ends(y);
         before + (place - from) / (to - from) * (after - before)
     }
 

@@ -163,37 +163,37 @@ fn four<F: Float, P: Strips<F>>(list: &[F], first: usize) -> P {
 
 /// 2.5 steps of the profile, straight between its points; at least 1.25 times the gap at `place`.
 fn spacing<F: Float, T: Arithmetic<Value = F>>(profile: &Profile<F>, place: T, next: usize) -> T {
-    let places = profile.y;
-    let last = places.len().saturating_sub(1);
-    let next = next.min(last).max(1);
-    // from the point three before the next one to that two after it
-    let y: [F; 6] = core::array::from_fn(|k| {
-        places.get((next + k).saturating_sub(3).min(last)).copied().unwrap_or(place.value())
-    });
-    let gaps: [F; 5] = core::array::from_fn(|k| match y.get(k..k + 2) {
-        Some([from, to]) => *to - *from,
-        _ => F::zero(),
-    });
-    let of = |gaps: &[F], middle: usize| {
-        // (the mean of the gaps weighted with their lengths does not jump where two points merge)
-        let (mut squares, mut length) = (F::zero(), F::TINY);
-        for gap in gaps {
-            squares += *gap * *gap;
-            length += *gap;
-        }
-        let even = squares / length;
-        let gap = match gaps.get(middle..middle + 2) {
-            Some([before, after]) => after.max(*before),
-            _ => F::zero(),
-        };
-        even.times(STEPS).max(gap.times(0.5 * STEPS))
-    };
-    let [.., from, to, _, _] = y;
+    let last = profile.y.len().saturating_sub(1);
+    let y = around(next, last, |k| profile.y.get(k).copied().unwrap_or(place.value()));
+    let [_, _, from, to, _, _] = y;
+    let [before, after] = spacings_at_ends(y);
     let share = place.shift(-from).scale(F::one() / (to - from));
-    let [first, .., end] = gaps;
-    let (before, after) = match (gaps.get(..4), gaps.get(1..)) {
-        (Some(before), Some(after)) => (of(before, 1), of(after, 1)),
-        _ => (first, end),
-    };
     share.scale(after - before).shift(before)
+}
+
+/// What belongs to the points from the third before the next one to the second after it.
+#[inline]
+pub(super) fn around<T>(next: usize, last: usize, of: impl Fn(usize) -> T) -> [T; 6] {
+    let next = next.min(last).max(1);
+    core::array::from_fn(|k| of((next + k).saturating_sub(3).min(last)))
+}
+
+/// The spacing at the third and at the fourth of six points.
+#[inline]
+pub(super) fn spacings_at_ends<T: Arithmetic>(y: [T; 6]) -> [T; 2] {
+    let gaps: [T; 5] = core::array::from_fn(|k| match y.get(k..k + 2) {
+        Some([from, to]) => *to - *from,
+        _ => T::zero(),
+    });
+    let [one, two, three, four, five] = gaps;
+    [[one, two, three, four], [two, three, four, five]].map(|gaps| {
+        // (the mean of the gaps weighted with their lengths does not jump where two points merge)
+        let (mut squares, mut length) = (T::zero(), T::tiny());
+        for gap in gaps {
+            squares += gap.squared();
+            length += gap;
+        }
+        let [_, before, after, _] = gaps;
+        (squares / length).times(STEPS).max(after.max(before).times(0.5 * STEPS))
+    })
 }
