@@ -59,6 +59,20 @@ pub(super) fn fill<T>(place: Output<T>, find: impl FnOnce() -> Result<T, Error>)
     })
 }
 
+/// The same of a result with a warning, which is the status.
+#[inline]
+pub(super) fn fill_warned<T>(
+    place: Output<T>,
+    find: impl FnOnce() -> Result<(T, Warning), Error>,
+) -> kstrip_status {
+    answer(|| {
+        let place = given(place)?;
+        let (found, warning) = find()?;
+        place.write(found);
+        Ok(warning)
+    })
+}
+
 /// The same for a solution, whose warning is the status.
 #[inline]
 pub(super) fn solved<F: Float>(

@@ -45,12 +45,10 @@ pub extern "C" fn kstrip_contact_from_hertz(
     contact: Option<&mut MaybeUninit<Contact<F>>>,
     ellipse: Option<&mut MaybeUninit<HertzContact<F>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let contact = given(contact)?;
+    fill_warned(contact, || {
         let (found, hertz, warning) = from_hertz(given(radii)?, given(pair)?, load, friction)?;
-        contact.write(found);
         put(ellipse, hertz);
-        Ok(warning)
+        Ok((found, warning))
     })
 }
 
@@ -74,13 +72,11 @@ pub extern "C" fn kstrip_contact_from_approach(
     contact: Option<&mut MaybeUninit<Contact<F>>>,
     dload_dapproach: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    answer(|| {
-        let contact = given(contact)?;
+    fill_warned(contact, || {
         let (found, slope, warning) =
             from_approach(given(radii)?, given(pair)?, approach, friction)?;
-        contact.write(found);
         put(dload_dapproach, slope);
-        Ok(warning)
+        Ok((found, warning))
     })
 }
 

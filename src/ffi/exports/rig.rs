@@ -47,8 +47,8 @@ pub extern "C" fn kstrip_estimate_friction(
     fy: F,
     estimate: Option<&mut MaybeUninit<FrictionEstimate<F>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage, estimate) = (given(contact)?, given(creepage)?, given(estimate)?);
+    fill_warned(estimate, || {
+        let (contact, creepage) = (given(contact)?, given(creepage)?);
         let options = for_forces(options)?;
         // What was not measured may be anything.
         let (measured, force) = match measured {
@@ -58,8 +58,7 @@ pub extern "C" fn kstrip_estimate_friction(
             _ => return Err(Error::Measured),
         };
         let found = rig::estimate_friction(contact, creepage, friction, &options, measured, force)?;
-        estimate.write(found);
-        Ok(found.warning)
+        Ok((found, found.warning))
     })
 }
 
@@ -92,11 +91,7 @@ pub extern "C" fn kstrip_creepage_for_force(
     options: Option<&kstrip_options>,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, creepage) = (given(contact)?, given(creepage)?);
-        let (found, warning) =
-            rig::creepage_for_force(contact, [fx, fy], spin, friction, &for_forces(options)?)?;
-        creepage.write(found);
-        Ok(warning)
+    fill_warned(creepage, || {
+        rig::creepage_for_force(given(contact)?, [fx, fy], spin, friction, &for_forces(options)?)
     })
 }

@@ -27,12 +27,7 @@ pub extern "C" fn kstrip_gauge_face(
     depth: F,
     face: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    answer(|| {
-        let place = given(face)?;
-        let (found, warning) = gauge_face(given(rail)?, depth)?;
-        place.write(found);
-        Ok(warning)
-    })
+    fill_warned(face, || gauge_face(given(rail)?, depth))
 }
 
 /// Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
@@ -200,11 +195,8 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
             let memory = given(workspace)?;
             Error::NotFinite.unless(are_finite(shifts))?;
             for (shift, difference) in shifts.iter().zip(differences) {
-                difference.write(wheelset.rolling_radius_difference(
-                    *shift,
-                    with_roll != 0,
-                    memory,
-                )?);
+                let found = wheelset.rolling_radius_difference(*shift, with_roll != 0, memory)?;
+                difference.write(found);
             }
             Ok(Warning::None)
         })
@@ -291,24 +283,17 @@ unsafe fn on_track(
         let [right, left] = set.pair;
         let left = if left.wheel_radius == 0.0 { right } else { left };
         let (right, left) = (WheelPair { left: 0, ..right }, WheelPair { left: 1, ..left });
-        right.check()?;
-        left.check()?;
+        [right, left].iter().try_for_each(WheelPair::check)?;
         track.motion.iter().try_for_each(RailMotion::check)?;
         let arm = half_distance(set)?;
-        let [motion, other_motion] = track.motion;
+        let [motion, left_motion] = track.motion;
         let ([place, other_place], excess) =
             (track.origin, 0.5 * (right.wheel_radius - left.wheel_radius));
         let (origin, of_rail) = origin_of(track, place, rail)?;
-        let (other_origin, of_other) = origin_of(track, other_place, other_rail)?;
+        let (left_origin, of_other) = origin_of(track, other_place, other_rail)?;
         let sides = [
             Side { arm, origin, excess, rail: 6, motion },
-            Side {
-                arm: -arm,
-                origin: -other_origin,
-                excess: -excess,
-                rail: 8,
-                motion: other_motion,
-            },
+            Side { arm: -arm, origin: -left_origin, excess: -excess, rail: 8, motion: left_motion },
         ];
         let scenes = [
             scene_of(Some(rail), Some(wheel), Some(&right), law)?,
