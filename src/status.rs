@@ -305,6 +305,11 @@ impl Warning {
     pub const fn is_implausible(self) -> bool {
         self.gravity() == IMPLAUSIBLE
     }
+
+    /// The first one whose condition holds, or none.
+    pub(crate) fn first(of: &[(bool, Self)]) -> Self {
+        of.iter().find(|(holds, _)| *holds).map_or(Self::None, |(_, warning)| *warning)
+    }
 }
 
 /// What a status means and what the caller must change; `None` for a number that is no status.

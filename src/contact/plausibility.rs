@@ -145,17 +145,13 @@ impl<F: Float> Contact<F> {
         // p₀ = 3N/(2π a b) > 0.1 G
         let pressed = self.tangential_stiffness().times(LARGEST_PRESSURE);
         if self.is_lost() {
-            Warning::None
-        } else if a.max(b) > F::constant(LARGEST_SEMI_AXIS) {
-            Warning::SemiAxis
-        } else if normal_force.times(1.5 / PI) > pressed {
-            Warning::Pressure
-        } else if friction > F::constant(LARGEST_FRICTION) {
-            Warning::Friction
-        } else if mismatch.abs() > F::constant(LARGEST_MISMATCH) {
-            Warning::Mismatch
-        } else {
-            Warning::None
+            return Warning::None;
         }
+        Warning::first(&[
+            (a.max(b) > F::constant(LARGEST_SEMI_AXIS), Warning::SemiAxis),
+            (normal_force.times(1.5 / PI) > pressed, Warning::Pressure),
+            (friction > F::constant(LARGEST_FRICTION), Warning::Friction),
+            (mismatch.abs() > F::constant(LARGEST_MISMATCH), Warning::Mismatch),
+        ])
     }
 }

@@ -63,14 +63,9 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         }
         let (upper, settled) = self.walk(largest, [least, largest])?;
         let (lower, _) = self.walk(least, [least, largest])?;
-        let warning = if !settled {
-            Warning::NotConverged
-        } else if upper - lower > upper.times(1e-3) {
-            Warning::SeveralFrictions
-        } else {
-            Warning::None
-        };
-        Ok((upper, warning))
+        let several = upper - lower > upper.times(1e-3);
+        let warnings = [(!settled, Warning::NotConverged), (several, Warning::SeveralFrictions)];
+        Ok((upper, Warning::first(&warnings)))
     }
 
     /// The only solution in a bracket of `g(μ) − μ`, from its value at the negative end and from a

@@ -114,13 +114,8 @@ pub fn creepage_for_force<F: Float>(
     let mut aim = Aim::new(contact, target, spin, law, options);
     let found = aim.find()?;
     let settled = found.distance <= F::EPSILON.times(TAKEN);
-    let warning = if !settled {
-        Warning::NotConverged
-    } else if sliding {
-        Warning::CreepageAtLeast
-    } else {
-        Warning::None
-    };
+    let warnings = [(!settled, Warning::NotConverged), (sliding, Warning::CreepageAtLeast)];
+    let warning = Warning::first(&warnings);
     Ok((aim.creepage(found.at), warning.worse(found.warning)))
 }
 
