@@ -18,7 +18,7 @@ use crate::forces::theory::{
     EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total,
 };
 use crate::forces::warning::{LARGEST_SPIN, RATIOS, linear_warning, model_warning};
-use crate::friction::{SlipFriction, fastest_slip};
+use crate::friction::SlipFriction;
 use crate::number::avx::{has_avx, has_avx512};
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
 use crate::status::Warning;
@@ -123,7 +123,7 @@ fn are_ordinary<F: Float>(numbers: Range<usize>, get: &impl Fn(usize) -> Case<F>
         contact.shear_modulus = contact.shear_modulus * stiffness;
         contact.mismatch = contact.mismatch * stiffness;
         // B V s_max (1 − A)
-        let slip = fastest_slip(&contact, &creepage);
+        let slip = contact.fastest_slip(&creepage);
         steepness = (one - ratio) * (decay * (rolling_speed * slip));
     }
     // μ ≥ μ₀ (1 − steepness), because exp(−x) ≥ 1 − x

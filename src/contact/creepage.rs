@@ -75,10 +75,10 @@ impl<F: Float> Creepage<F> {
 }
 
 impl<F: Real> Creepage<F> {
-    /// The three creepages as variables of the derivatives.
+    /// The three creepages as the first variables of the derivatives.
     #[must_use]
     #[inline]
-    pub fn inputs(&self) -> Creepage<Dual<F, 3>> {
+    pub fn inputs<const VARIABLES: usize>(&self) -> Creepage<Dual<F, VARIABLES>> {
         Creepage {
             longitudinal: Dual::input(self.longitudinal, 0),
             lateral: Dual::input(self.lateral, 1),
@@ -96,6 +96,12 @@ impl<F: Real> Creepage<F> {
     #[inline]
     pub(crate) fn power(&self, [fx, fy, mz]: [F; 3]) -> F {
         fx * self.longitudinal + fy * self.lateral + mz * self.spin
+    }
+
+    /// `|υx| + |υy| + r |φ|`: no point within `r` of the centre slips faster, over rolling speed.
+    #[inline]
+    pub(crate) fn fastest_within(&self, reach: F) -> F {
+        self.longitudinal.abs() + self.lateral.abs() + reach * self.spin.abs()
     }
 }
 
@@ -136,15 +142,6 @@ impl<T: Number> Parameters<T> {
         }
     }
 
-    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, the units of the linear
-    /// theory: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
-    #[inline]
-    #[must_use]
-    pub fn normalised(&self) -> [T; 3] {
-        let [by_xi, by_psi] = back(self.poisson_ratio, self.axis_ratio);
-        [self.xi.scale(by_xi), self.eta.times(THREE_OVER_PI), self.psi.scale(by_psi)]
-    }
-
     /// `p`, by which the effective longitudinal creepage falls per unit of `Y = y/b`: `ξ̄ = ξ − ψ
     /// (y/a)/(1 − ν) = ξ − p Y`.
     #[inline]
@@ -157,13 +154,6 @@ impl<T: Number> Parameters<T> {
 }
 
 const THREE_OVER_PI: f64 = 3.0 / core::f64::consts::PI;
-
-/// `vx/ξ` and `φ/ψ`
-#[inline]
-fn back<F: Real>(poisson_ratio: F, axis_ratio: F) -> [F; 2] {
-    let one = F::one();
-    [one - poisson_ratio, one / axis_ratio.sqrt()].map(|factor| factor.times(THREE_OVER_PI))
-}
 
 /// Factors that convert the creepages of one contact to Kalker's parameters (5.13).
 #[repr(C)]
@@ -185,15 +175,10 @@ impl<F: Real> Units<F> {
     #[inline(always)]
     pub(crate) fn new(contact: &Contact<F>) -> Self {
         let Contact { a, b, poisson_ratio, .. } = *contact;
-        let (lateral, axis_ratio) = (contact.stiffness_ratio(), a / b);
-        Self {
-            a,
-            longitudinal: lateral * (F::one() / (F::one() - poisson_ratio)),
-            lateral,
-            poisson_ratio,
-            axis_ratio,
-            back: back(poisson_ratio, axis_ratio),
-        }
+        let (lateral, axis_ratio, one) = (contact.stiffness_ratio(), a / b, F::one());
+        let longitudinal = lateral * (one / (one - poisson_ratio));
+        let back = [one - poisson_ratio, one / axis_ratio.sqrt()].map(|of| of.times(THREE_OVER_PI));
+        Self { a, longitudinal, lateral, poisson_ratio, axis_ratio, back }
     }
 
     #[inline(always)]
@@ -206,13 +191,21 @@ impl<F: Real> Units<F> {
         Parameters { xi, eta, psi, poisson_ratio, axis_ratio }
     }
 
-    /// The creepages in the units of [`Parameters::normalised`].
+    /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, the creepages in the units
+    /// of the linear theory: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
     #[inline]
     pub(crate) fn normalised<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> [T; 3] {
         let Parameters { xi, eta, psi, .. } = *parameters;
         let [by_xi, by_psi] = self.back;
         [xi.scale(by_xi), eta.times(THREE_OVER_PI), psi.scale(by_psi)]
     }
+}
+
+/// [`Units::normalised`] of a contact and its creepage.
+#[inline]
+pub(crate) fn normalised<T: Number>(contact: &Contact<T::Base>, creepage: &Creepage<T>) -> [T; 3] {
+    let units = Units::new(contact);
+    units.normalised(&units.parameters(creepage))
 }
 
 impl<F: Float> Parameters<F> {

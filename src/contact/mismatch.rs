@@ -58,6 +58,15 @@ impl<F: Real> Contact<F> {
         let Self { a, b, normal_force, shear_modulus, mismatch, .. } = *self;
         mismatch * normal_force / a / (a + b) / shear_modulus
     }
+
+    /// No point of the contact slips faster than this, over rolling speed.
+    #[inline(always)]
+    pub(crate) fn fastest_slip(&self, creepage: &Creepage<F>) -> F {
+        creepage.longitudinal.abs()
+            + self.strain().abs()
+            + creepage.lateral.abs()
+            + (self.a + self.b) * creepage.spin.abs()
+    }
 }
 
 /// `Δυx` for a creepage and [`Contact::strain`].
@@ -132,15 +141,8 @@ impl<F: Float> Shift<F> {
     #[inline(never)]
     pub(crate) fn new(contact: &Contact<F>, units: &Units<F>, creepage: &Creepage<F>) -> Self {
         let linear = LinearCoefficients::at(units.axis_ratio, contact.poisson_ratio);
-        let input = |value, index| Dual::<F, 4>::input(value, index);
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let seen = Creepage {
-            longitudinal: input(longitudinal, 0),
-            lateral: input(lateral, 1),
-            spin: input(spin, 2),
-        };
         let strain = contact.strain();
-        let found = shift(units, &linear, &seen, input(strain, 3));
+        let found = shift(units, &linear, &creepage.inputs(), Dual::<F, 4>::input(strain, 3));
         let [by_x, by_y, by_spin, by_strain] = found.gradient;
         Self {
             value: found.value,

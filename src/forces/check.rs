@@ -59,13 +59,10 @@ fn force_limit<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Mod
     if model != Model::Linear {
         return contact.friction_bound();
     }
-    let Creepage { longitudinal, lateral, spin } = *creepage;
     let Contact { a, b, shear_modulus, .. } = *contact;
-    let longitudinal = longitudinal.abs() + contact.strain().abs();
-    let creepage = longitudinal + lateral.abs() + (a + b) * spin.abs();
     // No coefficient exceeds this: C23 grows like (a/b)^(3/2). At least one, because stiffness
     // times lever is a factor of the moment.
     let ratio = a / b + b / a;
-    let size = creepage * (ratio * ratio.sqrt()).plus(100.0);
+    let size = contact.fastest_slip(creepage) * (ratio * ratio.sqrt()).plus(100.0);
     shear_modulus * a * b * size.max(F::one())
 }

@@ -36,7 +36,7 @@ use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real, few_are_finite};
+use crate::number::{Float, Real, add, few_are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -243,9 +243,7 @@ pub(crate) fn through_shift<F: Float>(
     ];
     for (entries, moves, by) in columns {
         if by > F::zero() {
-            for (entry, [by_x, ..]) in entries.iter_mut().zip(derivatives.jacobian) {
-                *entry += by_x * (moves / by);
-            }
+            add(entries, derivatives.jacobian.map(|[by_x, ..]| by_x * (moves / by)));
         }
     }
 }
@@ -346,7 +344,7 @@ fn linear_with_slopes<F: Real>(
 }
 
 #[inline]
-fn scaled<F: Real>(vector: [F; 3], factor: F) -> [F; 3] {
+pub(crate) fn scaled<F: Real>(vector: [F; 3], factor: F) -> [F; 3] {
     vector.map(|entry| entry * factor)
 }
 

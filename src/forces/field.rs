@@ -82,8 +82,40 @@ pub struct Field<F: Float> {
 pub enum FieldStrip<F: Float> {
     /// A strip of the theory of 1967.
     Strip1967(Strip<F>),
-    /// A strip of STRIP.
-    Strip(StripGeometry<F>),
+    /// A strip of STRIP with the law of its tractions, and its half length `c` in the unit of `x`.
+    Strip(Distribution<F>, StripGeometry<F>, F),
+}
+
+impl<F: Float> FieldStrip<F> {
+    /// A point of the strip in the units of the theory of 1967, in which the pressure at its centre
+    /// is its half length.
+    pub(crate) fn at(&self, x: F) -> StripPoint<F> {
+        let (strips, geometry, c) = match self {
+            Self::Strip1967(strip) => return strip.at(x),
+            Self::Strip(strips, geometry, c) => (strips, geometry, *c),
+        };
+        let (ahead, behind) = (c - x, c + x);
+        if !(ahead >= F::zero() && behind >= F::zero()) {
+            return StripPoint::outside();
+        }
+        let pressure = (ahead * behind).sqrt();
+        let traction = strips.traction(geometry, x / c);
+        // Creepages come in units of μ N/(G a b) = (2 μ p₀/G) π/3.
+        let unit = F::constant(core::f64::consts::PI / 3.0);
+        let point = StripPoint {
+            pressure,
+            traction_x: pressure * traction.x,
+            traction_y: pressure * traction.y,
+            slip_x: unit * traction.slip_x,
+            slip_y: unit * traction.slip_y,
+            state: State::Slip,
+        };
+        if traction.slips {
+            point.judged()
+        } else {
+            StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
+        }
+    }
 }
 
 impl<F: Float> Field<F> {
@@ -104,9 +136,7 @@ impl<F: Float> Field<F> {
         let parameters = frame.units.parameters(creepage);
         // The dissipation of a point is traction times slip. Slip is of the size of the rigid slip,
         // which the checked parameters bound.
-        let rigid = creepage.longitudinal.abs()
-            + creepage.lateral.abs()
-            + (contact.a + contact.b) * creepage.spin.abs();
+        let rigid = creepage.fastest_within(contact.a + contact.b);
         let slip = rigid.times(8.0).min(contact.slip_unit().min(F::HUGE) * F::HUGE);
         let dissipation = contact.friction * contact.peak_pressure() * slip;
         Error::Overflow.unless(lost || dissipation.is_finite_number())?;
@@ -147,12 +177,10 @@ impl<F: Float> Field<F> {
                 p.poisson_ratio,
                 *rule,
             )),
-            Tractions::Strip(_) => FieldStrip::Strip(StripGeometry {
-                y: relative,
-                half_length,
-                bound: half_length,
-                width: F::zero(),
-            }),
+            Tractions::Strip(law) => {
+                let (y, bound, width) = (relative, half_length, F::zero());
+                FieldStrip::Strip(*law, StripGeometry { y, half_length, bound, width }, half_length)
+            }
         })
     }
 
@@ -170,44 +198,6 @@ impl<F: Float> Field<F> {
 
     /// The same without dimensions.
     pub(crate) fn point_along(&self, strip: Option<&FieldStrip<F>>, x: F) -> StripPoint<F> {
-        let x = x / self.contact.a;
-        match (strip, &self.law) {
-            (Some(FieldStrip::Strip1967(strip)), _) => strip.at(x),
-            (Some(FieldStrip::Strip(geometry)), Tractions::Strip(strips)) => {
-                strip_point(strips, geometry, geometry.half_length, x)
-            }
-            _ => StripPoint::outside(),
-        }
-    }
-}
-
-/// A point of a strip of STRIP in the units of the theory of 1967; the strip's half length `c` and
-/// `x` in any one unit, pressure in that in which its peak is `c`.
-pub(crate) fn strip_point<F: Float>(
-    strips: &Distribution<F>,
-    geometry: &StripGeometry<F>,
-    c: F,
-    x: F,
-) -> StripPoint<F> {
-    let (ahead, behind) = (c - x, c + x);
-    if !(ahead >= F::zero() && behind >= F::zero()) {
-        return StripPoint::outside();
-    }
-    let pressure = (ahead * behind).sqrt();
-    let traction = strips.traction(geometry, x / c);
-    // Creepages come in units of μ N/(G a b) = (2 μ p₀/G) π/3.
-    let unit = F::constant(core::f64::consts::PI / 3.0);
-    let point = StripPoint {
-        pressure,
-        traction_x: pressure * traction.x,
-        traction_y: pressure * traction.y,
-        slip_x: unit * traction.slip_x,
-        slip_y: unit * traction.slip_y,
-        state: State::Slip,
-    };
-    if traction.slips {
-        point.judged()
-    } else {
-        StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
+        strip.map_or_else(StripPoint::outside, |strip| strip.at(x / self.contact.a))
     }
 }

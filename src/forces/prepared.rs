@@ -120,9 +120,7 @@ impl<F: Float> Prepared<F> {
     #[inline]
     pub fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         let per_spin: &F = self.part::<_, PER_SPIN>();
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let size = longitudinal.abs() + lateral.abs() + spin.abs() * *per_spin;
-        let quick = size <= F::constant(LARGEST_CREEPAGE);
+        let quick = creepage.fastest_within(*per_spin) <= F::constant(LARGEST_CREEPAGE);
         let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let found = *self.part::<F, MARK>();
         if Model::HAS_LINEAR && quick && self.model == Model::Linear as i32 {

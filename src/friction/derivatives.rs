@@ -11,7 +11,7 @@ use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, solve_with_sl
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{InterfaceSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
-use crate::number::{Float, few_are_finite};
+use crate::number::{Float, add, few_are_finite};
 use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
@@ -105,9 +105,7 @@ impl<F: Float> AtFriction<F> {
         let shifted = |fixed: &[F; 3], friction_by: F| {
             let change = friction_by * feedback;
             let mut total = *fixed;
-            for (entry, by_friction) in total.iter_mut().zip(by_friction) {
-                *entry += by_friction * change;
-            }
+            add(&mut total, by_friction.map(|slope| slope * change));
             total
         };
         let mut columns = transposed(derivatives.jacobian);

@@ -13,14 +13,14 @@
 //! Half-spaces slip by that share of the rigid slip which they have at their own creepages, and
 //! bristles likewise.
 
+use super::layered::Behind;
 use super::{InMotion, SlipFriction};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::field::{Field, FieldPoint, FieldStrip};
 use crate::forces::options::Options;
 use crate::layer::bristles::Rates;
-use crate::layer::{Layer, Split};
-use crate::number::{Float, length};
+use crate::number::{Float, between, length};
 use crate::status::{Error, Warning};
 use crate::strip_1967::strip::{State, StripPoint};
 
@@ -32,18 +32,6 @@ pub struct LawField<F: Float> {
     behind: Option<Behind<F>>,
     /// The warning of the solution, if there is one.
     pub warning: Warning,
-}
-
-/// What lies between the bodies.
-#[derive(Clone, Copy, Debug)]
-struct Behind<F> {
-    layer: Layer<F>,
-    split: Split<F>,
-    /// The creepage of both, and that of the half-spaces.
-    whole: Creepage<F>,
-    seen: Creepage<F>,
-    /// Whether there are bristles, or a slide factor only.
-    has_bristles: bool,
 }
 
 /// A strip of a [`LawField`].
@@ -75,12 +63,10 @@ impl<F: Float> LawField<F> {
         let Some(through) = motion.behind_layer().filter(|_| !contact.is_lost()) else {
             return Ok(clean);
         };
-        let (layer, split, whole, has_bristles) = through.split_of(&contact);
+        let behind = through.behind(&contact);
         let like = Contact { mismatch: F::zero(), ..contact };
-        let seen = split.half_spaces(&whole);
-        let half_spaces = Field::new(&like, &seen, options)?;
-        let behind = Some(Behind { layer, split, whole, seen, has_bristles });
-        Ok(Self { behind, half_spaces, ..clean })
+        let half_spaces = Field::new(&like, &behind.half_spaces(), options)?;
+        Ok(Self { behind: Some(behind), half_spaces, ..clean })
     }
 
     /// The strip through `y` \[m\].
@@ -91,7 +77,7 @@ impl<F: Float> LawField<F> {
         let c = ((F::one() - place) * (F::one() + place)).max(F::zero()).sqrt();
         let behind = self.behind.as_ref().filter(|_| half_spaces.is_some());
         let behind = behind.map(|behind| {
-            let Behind { layer, split, whole, seen, has_bristles } = behind;
+            let Behind { layer, split, whole, has_bristles } = behind;
             let rigid = |of: &Creepage<F>| Rates {
                 x: of.longitudinal - of.spin * y,
                 y: of.lateral,
@@ -99,7 +85,7 @@ impl<F: Float> LawField<F> {
             };
             StripBehind {
                 rigid: rigid(whole),
-                half_spaces: rigid(seen),
+                half_spaces: rigid(&behind.half_spaces()),
                 bristles: has_bristles.then(|| layer.rates_at(split.rates, place, c)),
                 weight: split.weight,
             }
@@ -162,14 +148,11 @@ impl<F: Float> StripBehind<F> {
         bristles: &StripPoint<F>,
         slides: bool,
     ) -> StripPoint<F> {
-        let mean = |of: F, bristles: F| of + (bristles - of) * self.weight;
-        let (x, y) = (
-            mean(half.traction_x, bristles.traction_x),
-            mean(half.traction_y, bristles.traction_y),
-        );
-        let (slip_x, slip_y) =
-            (mean(half.slip_x, bristles.slip_x), mean(half.slip_y, bristles.slip_y));
-        let dissipation = mean(half.dissipation(), bristles.dissipation());
+        let numbers = |of: &StripPoint<F>| {
+            [of.traction_x, of.traction_y, of.slip_x, of.slip_y, of.dissipation()]
+        };
+        let [x, y, slip_x, slip_y, dissipation] =
+            between(numbers(half), numbers(bristles), self.weight);
         let size = length(x, y) + F::TINY;
         let (along_x, along_y) = (x / size, y / size);
         let [of_half, of_bristles] =

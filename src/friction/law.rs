@@ -3,7 +3,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::number::{Float, Real, are_finite};
+use crate::number::{Float, are_finite};
 use crate::status::Error;
 
 /// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
@@ -135,18 +135,9 @@ impl<F: Float> SlipFriction<F> {
         if !self.falls() {
             return (self.friction, F::zero());
         }
-        let slip = fastest_slip(contact, creepage);
+        let slip = contact.fastest_slip(creepage);
         let least = self.at(slip);
         let falling = (F::one() - self.ratio) * self.friction;
         (least, self.decay * (self.rolling_speed * slip) * (falling / (least + F::TINY)))
     }
-}
-
-/// No point of the contact slips faster than this, over rolling speed.
-#[inline(always)]
-pub(crate) fn fastest_slip<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>) -> F {
-    creepage.longitudinal.abs()
-        + contact.strain().abs()
-        + creepage.lateral.abs()
-        + (contact.a + contact.b) * creepage.spin.abs()
 }

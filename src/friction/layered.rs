@@ -12,7 +12,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::derivatives::{
-    Derivatives, Sensitivity, Slopes, through_shift, without_friction,
+    Derivatives, Sensitivity, Slopes, scaled, through_shift, without_friction,
 };
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
@@ -34,6 +34,23 @@ struct Layered<F, M> {
     model: M,
     layer: Layer<F>,
     interface: Interface<F>,
+}
+
+/// The layer of a contact that carries, and its creepages.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Behind<F> {
+    pub layer: Layer<F>,
+    pub split: Split<F>,
+    /// The creepage of half-spaces and bristles together.
+    pub whole: Creepage<F>,
+    /// Whether there are bristles, or a slide factor only.
+    pub has_bristles: bool,
+}
+
+impl<F: Float> Behind<F> {
+    pub fn half_spaces(&self) -> Creepage<F> {
+        self.split.half_spaces(&self.whole)
+    }
 }
 
 /// Forces, their derivatives at constant friction, and those by layer and slide factor.
@@ -254,7 +271,7 @@ fn differentiate_in<F: Float, M: Theory<F>>(
     // by λ = h G/(G₃ a) to that by h/G₃
     let unit = contact.shear_modulus / through.law.slope_or_one() / contact.a;
     let [of_layer, of_slide] = by_interface;
-    let [by_layer, by_slide] = [of_layer.map(|slope| slope * unit), of_slide]
+    let [by_layer, by_slide] = [scaled(of_layer, unit), of_slide]
         .map(|forces| Sensitivity { forces, power: seen.power(forces) });
     (solution, slopes, InterfaceSlopes { layer: through.law.layer, by_layer, by_slide })
 }
@@ -267,12 +284,7 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
         frame: &ScaledContact<F>,
         creepage: &Creepage<F>,
     ) -> (Forces<F>, F, Derivatives<F>, [[F; 3]; 2]) {
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let inputs = Creepage {
-            longitudinal: Variable::input(longitudinal, 0),
-            lateral: Variable::input(lateral, 1),
-            spin: Variable::input(spin, 2),
-        };
+        let inputs = creepage.inputs();
         let interface = Interface {
             layer: Variable::input(self.interface.layer, 3),
             slide: Variable::input(self.interface.slide, 4),
@@ -328,7 +340,6 @@ fn unscaled<F: Float>(
         unit * (f.value - (translation(&f) + layer).times(1.0 / 3.0))
     });
     hertz[2] += mz.times(1.0 / 3.0) / bound;
-    let scaled = |of: [F; 3], factor: F| of.map(|entry| entry * factor);
     let derivatives = if is_linear {
         let none = [F::zero(); 3];
         let load_through_hertz = hertz.map(|entry| entry / contact.normal_force);
@@ -359,8 +370,9 @@ impl<F: Float> ThroughLayer<'_, F> {
         if forces::strips_of(contact, self.creepage, self.options)? == 0 {
             return Ok(Warning::None);
         }
-        let (layer, split, seen, has_bristles) = self.split_of(contact);
-        let creepage = split.half_spaces(&seen);
+        let behind = &self.behind(contact);
+        let Behind { layer, split, whole, has_bristles } = behind;
+        let creepage = behind.half_spaces();
         let frame = &ScaledContact::new(contact);
         let like = Contact { mismatch: F::zero(), ..*contact };
         // bristles of a strip divided by μ N, and the share of the load
@@ -369,11 +381,11 @@ impl<F: Float> ThroughLayer<'_, F> {
             let load = width * (F::one() - y * y - (width * width).times(1.0 / 12.0)).times(0.75);
             (layer.strip(split.rates, y, strip.half_length / contact.a), load)
         };
-        let weight = if has_bristles { split.weight } else { F::zero() };
-        let whole = if has_bristles { layer.bristles(split.rates) } else { Totals::nothing() };
         // what the quadratures differ by is shared out by load
-        let (mut rest, mut loads) = ([whole.fx, whole.fy, whole.mz], F::zero());
-        if has_bristles {
+        let (mut rest, mut loads) = ([F::zero(); 3], F::zero());
+        if *has_bristles {
+            let Totals { fx, fy, mz, .. } = layer.bristles(split.rates);
+            rest = [fx, fy, mz];
             forces::strips(&like, &creepage, self.options, &mut |strip| {
                 let ([fx, fy, mz, _], load) = bristles(&strip);
                 add(&mut rest, [-(fx * load), -(fy * load), -(mz * load)]);
@@ -384,35 +396,34 @@ impl<F: Float> ThroughLayer<'_, F> {
         let bound = contact.friction_bound();
         let warning = forces::strips(&like, &creepage, self.options, &mut |strip| {
             let mut mean = strip;
-            if has_bristles {
+            if *has_bristles {
                 let ([fx, fy, mz, stick], load) = bristles(&strip);
                 let of = |half_spaces: F, bristles: F, rest: F, unit: F| {
-                    half_spaces + ((bristles + rest) * (load * unit) - half_spaces) * weight
+                    half_spaces + ((bristles + rest) * (load * unit) - half_spaces) * split.weight
                 };
                 mean.fx = of(strip.fx, fx, rest[0], bound);
                 mean.fy = of(strip.fy, fy, rest[1], bound);
                 mean.mz = of(strip.mz, mz, rest[2], bound * frame.radius);
                 let separatrix = strip.half_length * (F::one() - stick.times(2.0));
-                mean.separatrix += (separatrix - strip.separatrix) * weight;
+                mean.separatrix += (separatrix - strip.separatrix) * split.weight;
                 mean.state = if stick > F::zero() { State::Stick } else { strip.state };
             }
-            mean.power = seen.power([mean.fx, mean.fy, mean.mz]);
+            mean.power = whole.power([mean.fx, mean.fy, mean.mz]);
             visit(mean);
         })?;
-        let psi = frame.units.parameters(&seen).psi;
-        Ok(warning.worse(warning_of(contact, &seen, self.options.model, psi)))
+        let psi = frame.units.parameters(whole).psi;
+        Ok(warning.worse(warning_of(contact, whole, self.options.model, psi)))
     }
 
-    /// The layer of a contact that carries, the creepages of half-spaces and bristles and of both
-    /// together, and whether there are bristles.
-    pub fn split_of(&self, contact: &Contact<F>) -> (Layer<F>, Split<F>, Creepage<F>, bool) {
+    /// What lies between the bodies of a contact that carries.
+    pub fn behind(&self, contact: &Contact<F>) -> Behind<F> {
         let frame = &ScaledContact::new(contact);
-        let (seen, _) = frame.seen(self.creepage, self.options.model);
-        let parameters = frame.units.parameters(&seen);
+        let (whole, _) = frame.seen(self.creepage, self.options.model);
+        let parameters = frame.units.parameters(&whole);
         let (ratio, _, linear) = frame.shape();
         let layer = Layer::new(ratio, &linear);
         let interface = self.interface(contact);
         let split = layer.split(frame.units.normalised(&parameters), &interface);
-        (layer, split, seen, interface.layer > F::zero())
+        Behind { layer, split, whole, has_bristles: interface.layer > F::zero() }
     }
 }

@@ -36,7 +36,6 @@ pub(crate) mod layered;
 
 pub(crate) use self::agreement::FrictionEquation;
 pub use self::law::SlipFriction;
-pub(crate) use self::law::fastest_slip;
 use self::layered::ThroughLayer;
 
 use crate::contact::Contact;
@@ -51,7 +50,7 @@ use crate::status::{Error, Warning};
 pub struct FrictionSolution<F> {
     /// The forces; its warning is also that of the friction.
     pub solution: Solution<F>,
-    /// The coefficient of friction that agrees with the slip.
+    /// The coefficient of friction that agrees with the slip; of a patch the share `λ`.
     pub friction: F,
 }
 
@@ -187,7 +186,7 @@ impl<'a, F: Float> InMotion<'a, F> {
             let power = slopes.seen.power(slopes.derivatives.friction);
             Ok(law.at(power / contact.normal_force))
         };
-        let rigid_slip = fastest_slip(&contact, self.creepage);
+        let rigid_slip = contact.fastest_slip(self.creepage);
         let equation = FrictionEquation { law, rigid_slip, load: contact.normal_force, next };
         let (friction, warning) = equation.largest_solution()?;
         Ok((Contact { friction, ..contact }, warning))

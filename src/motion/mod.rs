@@ -38,7 +38,7 @@ use crate::contact::implausibility;
 use crate::forces::{Options, Solution};
 use crate::friction::derivatives::{self, Differentiated};
 use crate::friction::{FrictionSolution, InMotion, SlipFriction};
-use crate::number::{Float, are_finite};
+use crate::number::{Float, add, are_finite};
 use crate::status::{Error, Warning};
 
 /// Floor of the rolling speed where none is given \[m/s\].
@@ -302,12 +302,7 @@ impl<F: Float> Rolling<F> {
         Error::Overflow.unless(power.is_finite_number())?;
         // Below JUDGED any slip is plausible.
         let judged = (self.speed / F::constant(JUDGED)).min(F::one());
-        let Creepage { longitudinal, lateral, spin } = self.creepage;
-        let seen = Creepage {
-            longitudinal: longitudinal * judged,
-            lateral: lateral * judged,
-            spin: spin * judged,
-        };
+        let seen = self.creepage.scaled(judged);
         let both = forward.warning.worse(backward.warning);
         let of_model = if both.is_implausible() { Warning::None } else { both };
         let warning = of_model.worse(implausibility(contact, &seen));
@@ -347,9 +342,7 @@ impl<F: Float> Rolling<F> {
             let falls = (x * slip_x + y * slip_y + z * spin_rate) / self.speed;
             *entry += (by_law - falls) * self.speed_by_rolling;
         }
-        for (entry, moves) in rolling_speed.iter_mut().zip(by_mismatch) {
-            *entry += moves;
-        }
+        add(&mut rolling_speed, by_mismatch);
         MotionDerivatives {
             slip,
             rolling_speed,

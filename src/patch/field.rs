@@ -2,19 +2,18 @@
 
 use crate::contact::creepage::Creepage;
 use crate::forces::Model;
-use crate::forces::field::{FieldPoint, strip_point};
+use crate::forces::field::{FieldPoint, FieldStrip};
 use crate::friction::SlipFriction;
 use crate::friction::field::StripBehind;
 use crate::layer::Interface;
 use crate::number::{Float, pairs};
 use crate::patch::friction::{FrictionProblem, Scaled};
 use crate::patch::shares::{Seen, ZoneLaw};
-use crate::patch::slip::{PatchSlip, ZoneSplit, largest_rigid_slip, seen_from};
+use crate::patch::slip::{PatchSlip, ZoneSplit, seen_from};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
-use crate::strip::{Distribution, StripGeometry};
-use crate::strip_1967::strip::{Strip, StripPoint};
+use crate::strip_1967::strip::StripPoint;
 
 /// The tangential field of a patch, ready to be evaluated at points.
 ///
@@ -36,7 +35,9 @@ pub struct PatchField<'a, F> {
 #[derive(Clone, Copy, Debug)]
 pub struct PatchFieldStrip<F: Float> {
     strip: PatchStrip<F>,
-    law: PatchTractions<F>,
+    /// In half lengths, and the unit of its slip.
+    law: FieldStrip<F>,
+    slip: F,
     behind: Option<StripBehind<F>>,
     units: LawUnits<F>,
 }
@@ -46,15 +47,6 @@ pub struct PatchFieldStrip<F: Float> {
 struct LawUnits<F> {
     traction: F,
     slip: F,
-}
-
-/// The traction law of a strip.
-#[derive(Clone, Copy, Debug)]
-enum PatchTractions<F: Float> {
-    /// The theory of 1967, and the unit of slip.
-    Strip1967(Strip<F>, F),
-    /// STRIP, and the unit of slip.
-    Strip(Distribution<F>, StripGeometry<F>, F),
 }
 
 impl<'a, F: Float> PatchField<'a, F> {
@@ -74,10 +66,9 @@ impl<'a, F: Float> PatchField<'a, F> {
         Problem::new(patch, creepage, model)?;
         // Dissipation is traction times slip, which is of the size of the rigid slip.
         let tractions = patch.strips().iter().map(|strip| strip.friction * strip.peak_pressure);
-        let slip = largest_rigid_slip(creepage, patch.sizes.reach).times(8.0);
+        let slip = creepage.fastest_within(patch.sizes.reach).times(8.0);
         Error::Overflow.unless((tractions.fold(F::zero(), F::max) * slip).is_finite_number())?;
-        let constant = SlipFriction::of_constant(F::one());
-        let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&constant), model)?;
+        let problem = FrictionProblem::new(patch, creepage, law, model)?;
         let (share, of_friction) = problem.agreement()?;
         let scaled = problem.scaled(share)?;
         let warning = problem.warning(scaled.problem()?.warning(), of_friction);
@@ -106,14 +97,14 @@ impl<'a, F: Float> PatchField<'a, F> {
         number += own;
         let creepage = seen_from(creepage, strip, view.own(number).as_ref());
         let mut of_layer = None;
-        let law = if Model::HAS_STRIP && *model == Model::Strip {
+        let (law, slip) = if Model::HAS_STRIP && *model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
             let (slip, law) = (PatchSlip::new(&creepage, *behind), ZoneLaw::new(&zone, factors));
             let Seen { law: rolling, split, whole, .. } = law.see(&slip, &creepage, strip.centre_x);
             of_layer = split.map(|split| split.of_field(strip, &whole));
             let line = law.units.geometry(strip, F::zero());
-            PatchTractions::Strip(rolling, line, zone.contact.slip_scale())
+            (FieldStrip::Strip(rolling, line, F::one()), zone.contact.slip_scale())
         } else if Model::HAS_STRIP_1967 {
             let circle = strip.circle(view.shear_modulus(), view.poisson_ratio());
             let problem = Problem { view, creepage: &creepage, model: *model, behind: *behind };
@@ -124,11 +115,11 @@ impl<'a, F: Float> PatchField<'a, F> {
                 at_origin = split.half_spaces_at_origin(&seen);
                 of_layer = Some(split.of_field(strip, &seen));
             }
-            PatchTractions::Strip1967(problem.theory(strip, &at_origin), circle.slip_scale())
+            (FieldStrip::Strip1967(problem.theory(strip, &at_origin)), circle.slip_scale())
         } else {
             return None;
         };
-        Some(PatchFieldStrip { strip: *strip, law, behind: of_layer, units: *units })
+        Some(PatchFieldStrip { strip: *strip, law, slip, behind: of_layer, units: *units })
     }
 
     /// The state at a point of the contact plane \[m\].
@@ -140,21 +131,16 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// The state at `x` \[m\] of a strip of [`PatchField::strip_at`].
     #[must_use]
     pub fn along(strip: Option<&PatchFieldStrip<F>>, x: F) -> FieldPoint<F> {
-        let Some(PatchFieldStrip { strip, law, behind, units }) = strip else {
+        let Some(PatchFieldStrip { strip, law, slip, behind, units }) = strip else {
             let zero = F::zero();
             return FieldPoint::in_units(zero, zero, zero, &StripPoint::outside());
         };
         let place = (x - strip.centre_x) / strip.half_length;
         let pressure = strip.peak_pressure;
         let traction = strip.friction * pressure;
-        let (slip, point) = match law {
-            PatchTractions::Strip1967(solved, slip) => (*slip, solved.at(place)),
-            PatchTractions::Strip(rolling, geometry, slip) => {
-                (*slip, strip_point(rolling, geometry, F::one(), place))
-            }
-        };
-        let mean = |behind: &StripBehind<F>| behind.mean(&point, place, [F::one(), slip]);
+        let point = law.at(place);
+        let mean = |behind: &StripBehind<F>| behind.mean(&point, place, [F::one(), *slip]);
         let point = behind.as_ref().map_or(point, mean);
-        FieldPoint::in_units(pressure, traction * units.traction, slip * units.slip, &point)
+        FieldPoint::in_units(pressure, traction * units.traction, *slip * units.slip, &point)
     }
 }

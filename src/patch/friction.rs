@@ -21,29 +21,20 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
-use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
+use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, scaled};
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, OwnCreepageSlopes};
 use crate::friction::layered::InterfaceSlopes;
-use crate::friction::{FrictionEquation, SlipFriction};
+use crate::friction::{FrictionEquation, FrictionSolution, SlipFriction};
 use crate::layer::Interface;
-use crate::number::{Dual, Float};
+use crate::number::{Dual, Float, few_are_finite};
+use crate::patch::PatchView;
 pub(crate) use crate::patch::slip::{By, creepage_at};
 use crate::patch::slip::{PatchSlip, Share};
 use crate::patch::solver::{self, Problem};
-use crate::patch::{Patch, PatchView};
 use crate::status::{Error, Warning};
 
-/// Forces of a patch under friction that falls with the slip.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PatchFrictionSolution<F> {
-    /// The forces, with the warning of the forces or of the friction.
-    pub solution: Solution<F>,
-    /// `λ`: friction that agrees with the slip over friction without slip, the same for all strips.
-    pub share: F,
-}
-
-/// Forces of a patch whose friction falls with the slip.
+/// Forces of a patch whose friction falls with the slip; `friction` is the share `λ`.
 ///
 /// With `A = 1`, `B = 0` or `V = 0`, and `k = 1`, the result is that of [`solver::solve_patch`] to
 /// the bit and costs no more.
@@ -80,24 +71,12 @@ pub fn solve_patch_with_law<F: Float>(
     creepage: &Creepage<F>,
     law: &SlipFriction<F>,
     model: Model,
-) -> Result<PatchFrictionSolution<F>, Error> {
-    let problem = FrictionProblem::new(patch, creepage, law, model)?;
+) -> Result<FrictionSolution<F>, Error> {
+    let problem = FrictionProblem::new(patch, creepage, Some(law), model)?;
     let (share, warning) = problem.agreement()?;
     let scaled = problem.scaled(share)?;
     let solution = problem.under(share, scaled.factor, &scaled.problem()?.solution(), warning);
-    Ok(PatchFrictionSolution { solution, share })
-}
-
-impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch with a share `λ` of its friction and a factor `k` of its stiffness.
-    #[must_use]
-    pub fn under(mut self, share: F, slope_factor: F) -> Self {
-        for strip in &mut self.strips {
-            strip.friction = strip.friction * share;
-        }
-        self.shear_modulus = self.shear_modulus * slope_factor;
-        self
-    }
+    Ok(FrictionSolution { solution, friction: share })
 }
 
 /// A patch and a scaled creepage, whose forces times `λ` are those under falling friction.
@@ -119,33 +98,33 @@ impl<F: Float> Scaled<'_, F> {
 
 /// A patch, a creepage, a model and a law that fit together.
 pub(super) struct FrictionProblem<'a, F: Float> {
-    patch: &'a PatchView<'a, F>,
-    creepage: &'a Creepage<F>,
+    /// At the given creepage, with the layer of the law.
+    problem: Problem<'a, F>,
     /// The law for friction in units of that without slip.
     law: SlipFriction<F>,
-    model: Model,
     /// `Σ μ₀ N`
     bound: F,
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
-    /// The layer of the law.
-    behind: Option<Interface<F>>,
 }
 
 impl<'a, F: Float> FrictionProblem<'a, F> {
+    /// Without a law friction is constant.
     pub fn new(
         patch: &'a PatchView<'a, F>,
         creepage: &'a Creepage<F>,
-        law: &SlipFriction<F>,
+        law: Option<&SlipFriction<F>>,
         model: Model,
     ) -> Result<Self, Error> {
-        let law = SlipFriction { friction: F::one(), ..*law };
+        let constant = SlipFriction::of_constant(F::one());
+        let law = SlipFriction { friction: F::one(), ..*law.unwrap_or(&constant) };
         law.check()?;
-        let rigid_slip = Problem::new(patch, creepage, model)?.largest_rigid_slip();
+        let problem = Problem::new(patch, creepage, model)?;
+        let rigid_slip = problem.largest_rigid_slip();
         Error::Modulus.when(patch.shear_modulus() * law.slope_or_one() <= F::zero())?;
         let behind = law.has_interface().then(|| law.interface(patch.shear_modulus(), F::one()));
-        let bound = patch.friction_bound();
-        Ok(Self { patch, creepage, law, model, bound, rigid_slip, behind })
+        let (problem, bound) = (Problem { behind, ..problem }, patch.friction_bound());
+        Ok(Self { problem, law, bound, rigid_slip })
     }
 
     pub fn agreement(&self) -> Result<(F, Warning), Error> {
@@ -165,30 +144,29 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
         let factor = (self.law.slope_or_one() / share).max(F::one() / F::HUGE);
         let farthest = F::HUGE * (F::HUGE / (self.bound + F::one())) / (self.rigid_slip + F::TINY);
         let factor = factor.min(farthest.max(F::one()));
-        let creepage = self.creepage.scaled(factor);
-        let mut patch = self.patch.scaled_own(factor);
+        let Problem { view, creepage, model, behind } = self.problem;
+        let mut patch = view.scaled_own(factor);
         if patch.mismatch() != F::zero() {
             patch = patch.with_mismatch(patch.mismatch() * factor)?;
         }
-        let Self { model, behind, .. } = *self;
-        Ok(Scaled { patch, creepage, model, behind, factor })
+        Ok(Scaled { patch, creepage: creepage.scaled(factor), model, behind, factor })
     }
 
     /// The warning of the patch from that at the scaled creepage and that of the friction.
     pub fn warning(&self, scaled: Warning, of_friction: Warning) -> Warning {
         let told = if scaled == Warning::Mismatch { Warning::None } else { scaled };
-        let far = self.patch.mismatch().abs() > F::constant(LARGEST_MISMATCH);
-        let told = if far && !self.model.is_of_1967() { Warning::Mismatch } else { told };
+        let Problem { view, model, .. } = self.problem;
+        let far = view.mismatch().abs() > F::constant(LARGEST_MISMATCH);
+        let told = if far && !model.is_of_1967() { Warning::Mismatch } else { told };
         told.worse(of_friction)
     }
 
     /// The solution of the patch from that at the scaled creepage.
-    fn under(&self, share: F, factor: F, scaled: &Solution<F>, warning: Warning) -> Solution<F> {
-        let Solution { fx, fy, mz, power, adhesion, .. } = *scaled;
-        let [fx, fy, mz] = [fx, fy, mz].map(|force| force * share);
-        let power = share * (power / factor);
-        let warning = self.warning(scaled.warning, warning);
-        Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
+    fn under(&self, share: F, factor: F, at_scaled: &Solution<F>, warning: Warning) -> Solution<F> {
+        let [fx, fy, mz] = at_scaled.components().map(|force| force * share);
+        let power = share * (at_scaled.power / factor);
+        let warning = self.warning(at_scaled.warning, warning);
+        Solution { fx, fy, mz, power, warning, ..*at_scaled }
     }
 }
 
@@ -209,16 +187,11 @@ pub fn differentiate_patch<F: Float>(
     model: Model,
 ) -> Result<Differentiated<F>, Error> {
     let (load, bound) = (patch.normal_force(), patch.friction_bound());
-    let clean = SlipFriction::of_constant(F::one());
-    let given = law.unwrap_or(&clean);
-    let problem = FrictionProblem::new(patch, creepage, given, model)?;
-    let (share, warning) = match law {
-        Some(_) => problem.agreement()?,
-        None => (F::one(), Warning::None),
-    };
-    let scaled = problem.scaled(share)?;
-    let ((found, slopes, interface), own) = scaled.problem()?.with_slopes()?;
-    let Scaled { creepage: scaled, factor, .. } = scaled;
+    let problem = FrictionProblem::new(patch, creepage, law, model)?;
+    let (share, warning) = problem.agreement()?;
+    let at_share = problem.scaled(share)?;
+    let ((found, slopes, interface), own) = at_share.problem()?.with_slopes()?;
+    let Scaled { creepage: at, factor, behind, .. } = at_share;
     let solution = problem.under(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::default(), LawDerivatives::default());
@@ -231,13 +204,12 @@ pub fn differentiate_patch<F: Float>(
     // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
     // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let [layer_x, layer_y, layer_z] =
-        interface.by_layer.forces.map(|slope| slope * interface.layer);
+    let [layer_x, layer_y, layer_z] = scaled(interface.by_layer.forces, interface.layer);
     let others =
         |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
             let [by_mismatch, by_layer] = by_others;
-            let translation = x * scaled.longitudinal + y * scaled.lateral;
-            let rest = force - translation - z * scaled.spin - own;
+            let translation = x * at.longitudinal + y * at.lateral;
+            let rest = force - translation - z * at.spin - own;
             let hertz = force.times(power) - (translation + moved + by_layer).times(1.0 / 3.0);
             [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
         };
@@ -250,38 +222,35 @@ pub fn differentiate_patch<F: Float>(
         others(found.mz, z, [oz, tz], [by_z, layer_z], 4.0 / 3.0),
     ];
     let derivatives = Derivatives {
-        jacobian: rows.map(|row| row.map(|slope| slope * stiffness)),
+        jacobian: rows.map(|row| scaled(row, stiffness)),
         normal_force: [nx, ny, nz],
         load_through_hertz: [hx, hy, hz],
         friction: [mx, my, mz],
     };
     let friction = share * mean;
     // F = λ f(k c/λ),  P = λ²/k P(k c/λ)
-    let scaled = |of: &Sensitivity<F>| of.scaled(share, share / factor);
+    let under = |of: &Sensitivity<F>| of.scaled(share, share / factor);
     let slopes = Slopes {
         derivatives,
         seen: *creepage,
-        power_by_creepage: slopes.power_by_creepage.map(|slope| slope * share),
-        by_mismatch: scaled(&slopes.by_mismatch),
+        power_by_creepage: scaled(slopes.power_by_creepage, share),
+        by_mismatch: under(&slopes.by_mismatch),
     };
     let interface = InterfaceSlopes {
         layer: interface.layer,
-        by_layer: scaled(&interface.by_layer),
-        by_slide: scaled(&interface.by_slide),
+        by_layer: under(&interface.by_layer),
+        by_slide: under(&interface.by_slide),
     };
     // (the forces are homogeneous: those of the creepages times k/λ)
-    let own = OwnCreepageSlopes { all: scaled(&own.all), translation: scaled(&own.translation) };
+    let own = OwnCreepageSlopes { all: under(&own.all), translation: under(&own.translation) };
     let (power, motion) = (solution.power, *creepage);
-    let at = AtFriction { slopes, power, motion, own, friction, load };
-    let law = SlipFriction { friction: mean, ..*given };
+    let at_friction = AtFriction { slopes, power, motion, own, friction, load };
+    let law = SlipFriction { friction: mean, ..problem.law };
     let (derivatives, law, by_mismatch) =
-        at.through(&law, law.falls(), problem.behind.is_some().then_some(&interface));
-    let entries = derivatives.entries().into_iter().chain(law.entries());
-    if entries.into_iter().all(F::is_finite_number) {
-        Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
-    } else {
-        Err(Error::Overflow)
-    }
+        at_friction.through(&law, law.falls(), behind.is_some().then_some(&interface));
+    let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
+    Error::Overflow.unless(fit)?;
+    Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
 }
 
 /// Forces of one strip at its own centre, with derivatives while the share `λ` stays.
@@ -315,11 +284,10 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
     (model, by): (Model, Option<By>),
     visit: &mut dyn FnMut(usize, &AtStrip<F>),
 ) -> Result<Visited<F>, Error> {
-    let clean = SlipFriction::of_constant(F::one());
-    let problem = FrictionProblem::new(patch, creepage, law.unwrap_or(&clean), model)?;
+    let problem = FrictionProblem::new(patch, creepage, law, model)?;
     let (share, warning) = problem.agreement()?;
     let at_share = problem.scaled(share)?;
-    let (scaled, Scaled { creepage, factor, .. }) = (at_share.problem()?, &at_share);
+    let (solver, Scaled { creepage, behind, factor, .. }) = (at_share.problem()?, &at_share);
     // F = λ f(k c/λ), P = λ²/k p(k c/λ)
     let power_unit = share / *factor;
     let (unit, power_slope_unit) = match by {
@@ -332,17 +300,17 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         visit(
             number,
             &AtStrip {
-                forces: forces.map(|force| force * share),
-                slopes: slopes.map(|row| row.map(|slope| slope * unit)),
+                forces: scaled(forces, share),
+                slopes: slopes.map(|row| scaled(row, unit)),
                 power: power * power_unit,
-                power_slopes: power_slopes.map(|slope| slope * power_slope_unit),
+                power_slopes: scaled(power_slopes, power_slope_unit),
             },
         );
         number += 1;
     };
     if let Some(by) = by.filter(|_| SLOPES) {
-        let slip = PatchSlip::with_slopes(creepage, problem.behind, by);
-        scaled.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
+        let slip = PatchSlip::with_slopes(creepage, *behind, by);
+        solver.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
             let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
             // from the creepage at the origin to that at the centre
             let at_centre = |[x, y, spin]: [F; 3]| match by {
@@ -359,15 +327,15 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         });
     } else {
         let none = [F::zero(); 3];
-        let slip = PatchSlip::new(creepage, problem.behind);
-        scaled.shares(&slip, &mut |strip, share: Share<F>| {
+        let slip = PatchSlip::new(creepage, *behind);
+        solver.shares(&slip, &mut |strip, share: Share<F>| {
             let power = share.power(creepage);
             let forces = [share.fx, share.fy, share.about_centre(strip)];
             take(AtStrip { forces, slopes: [none; 3], power, power_slopes: none });
         });
     }
     let (bound, law, falls) = (problem.bound, problem.law, problem.law.falls());
-    let warning = problem.warning(scaled.warning(), warning);
+    let warning = problem.warning(solver.warning(), warning);
     Ok(Visited { share, bound, law, falls, warning })
 }
 
@@ -384,14 +352,14 @@ pub fn patch_strips_with_law<F: Float>(
     model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
-    let Some(law) = law else {
+    if law.is_none() {
         return solver::patch_strips(patch, creepage, model, visit);
-    };
+    }
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
     Error::NotInModel.unless(model != Model::Total)?;
-    let scaled = problem.scaled(share)?;
-    Ok(scaled.problem()?.strips(&mut |strip| {
-        let [fx, fy, mz] = [strip.fx, strip.fy, strip.mz].map(|force| force * share);
-        visit(StripResult { fx, fy, mz, power: share * (strip.power / scaled.factor), ..strip });
+    let at_share = problem.scaled(share)?;
+    Ok(at_share.problem()?.strips(&mut |strip| {
+        let [fx, fy, mz] = scaled([strip.fx, strip.fy, strip.mz], share);
+        visit(StripResult { fx, fy, mz, power: share * (strip.power / at_share.factor), ..strip });
     }))
 }

@@ -1,7 +1,7 @@
 //! The forces of each strip of a patch in the model STRIP. The ellipse of its zone gives it the
 //! creepages for its `Y` and its friction bound `Π = (μ p₀)_strip/(μ p₀)`.
 
-use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::creepage::{Creepage, normalised};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
@@ -55,8 +55,8 @@ impl<F: Float> ZoneLaw<F> {
         let (seen, shift) = seen_by(zone, linear, slip, creepage, x);
         let split = slip.behind.map(|behind| ZoneSplit::new(zone, linear, &seen, x, &behind));
         let of_half_spaces = split.map_or(seen, |split| split.half_spaces(&seen));
-        let parameters = Parameters::new(&zone.contact, &of_half_spaces);
-        Seen { x, law: flexibilities.see(parameters.normalised()), shift, whole: seen, split }
+        let law = flexibilities.see(normalised(&zone.contact, &of_half_spaces));
+        Seen { x, law, shift, whole: seen, split }
     }
 }
 

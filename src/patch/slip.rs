@@ -1,7 +1,7 @@
 //! The motion of a patch, and the forces of a strip.
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::creepage::{Creepage, normalised};
 use crate::friction::field::StripBehind;
 use crate::layer::bristles::{Bristles, Rates};
 use crate::layer::{Interface, Layer, Split};
@@ -141,10 +141,9 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         behind: &Interface<T>,
     ) -> Self {
         let Contact { a, b, friction, .. } = zone.contact;
-        let parameters = Parameters::new(&zone.contact, seen);
         let layer = behind.layer.scale(F::one() / a);
         let interface = Interface { layer, slide: behind.slide };
-        let split = Layer::new(a / b, linear).split(parameters.normalised(), &interface);
+        let split = Layer::new(a / b, linear).split(normalised(&zone.contact, seen), &interface);
         let bound = friction * zone.contact.peak_pressure();
         let has_bristles = layer.value() > F::zero();
         Self { split, has_bristles, x, y: zone.y, a, bound }
@@ -254,9 +253,4 @@ pub(super) fn seen_from<T: Number>(
         lateral: creepage.lateral.shift(at_origin.lateral),
         spin: creepage.spin.shift(at_origin.spin),
     }
-}
-
-/// Upper bound of the rigid slip of all points within reach.
-pub(super) fn largest_rigid_slip<F: Float>(creepage: &Creepage<F>, reach: F) -> F {
-    creepage.longitudinal.abs() + creepage.lateral.abs() + creepage.spin.abs() * reach
 }

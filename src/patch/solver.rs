@@ -18,7 +18,7 @@
 //! [`Model::Strip`] at zero creepage: [`patch_jacobian`].
 
 use crate::contact::Contact;
-use crate::contact::creepage::{Creepage, Parameters};
+use crate::contact::creepage::{Creepage, Parameters, normalised};
 use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::contact::totals::Totals;
 use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
@@ -31,9 +31,7 @@ use crate::layer::Interface;
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Dual, Float, Number, add, are_finite};
 use crate::patch::shares::{seen_by, strip_shares};
-use crate::patch::slip::{
-    By, PatchSlip, Share, ZoneSplit, creepage_at, largest_rigid_slip, seen_from,
-};
+use crate::patch::slip::{By, PatchSlip, Share, ZoneSplit, creepage_at, seen_from};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -74,7 +72,7 @@ impl<'a, F: Float> Problem<'a, F> {
     pub fn largest_rigid_slip(&self) -> F {
         let Self { view, creepage, .. } = *self;
         let [own, _] = view.most_own();
-        let slip = largest_rigid_slip(creepage, view.sizes.reach) + own;
+        let slip = creepage.fastest_within(view.sizes.reach) + own;
         if view.mismatch() == F::zero() {
             return slip;
         }
@@ -212,9 +210,8 @@ impl<'a, F: Float> Problem<'a, F> {
         let (seen, shift) = seen_by(zone, &linear, slip, &slip.creepage, zone.x);
         let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, zone.x, &behind));
         let seen = split.map_or(seen, |split| split.half_spaces(&seen));
-        let parameters = Parameters::new(&zone.contact, &seen);
-        let total = total::Total::new(parameters.axis_ratio, poisson_ratio, &linear);
-        (total.mean_totals(parameters.normalised()), shift, split)
+        let total = total::Total::new(a / b, poisson_ratio, &linear);
+        (total.mean_totals(normalised(&zone.contact, &seen)), shift, split)
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, pairs};
-use crate::patch::slip::largest_rigid_slip;
 use crate::patch::zones::{Extremes, Sizes, Zone};
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
@@ -53,9 +52,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         let extremes = Extremes::new(strips);
         let are_usual = extremes.are_usual();
         if !are_usual {
-            for strip in strips {
-                strip.check()?;
-            }
+            strips.iter().try_for_each(PatchStrip::check)?;
         }
         let (mut are_beside, mut has_gaps) = (true, false);
         for (strip, next) in pairs(strips) {
@@ -128,9 +125,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// [`Error::Capacity`] unless there are as many as strips; [`Error::NotFinite`].
     pub fn with_own_creepages(mut self, own: &'a [Creepage<F>]) -> Result<Self, Error> {
         Error::Capacity.unless(own.len() == self.strips.len())?;
-        for creepage in own {
-            creepage.check()?;
-        }
+        own.iter().try_for_each(Creepage::check)?;
         (self.own, self.own_factor) = (own, F::one());
         Ok(self)
     }
@@ -149,7 +144,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// Upper bounds of the rigid slip of these creepages within reach, and of their spin.
     pub(super) fn most_own(&self) -> [F; 2] {
         (0..self.own.len()).filter_map(|i| self.own(i)).fold([F::zero(); 2], |[slip, spin], own| {
-            [slip.max(largest_rigid_slip(&own, self.sizes.reach)), spin.max(own.spin.abs())]
+            [slip.max(own.fastest_within(self.sizes.reach)), spin.max(own.spin.abs())]
         })
     }
 

@@ -17,7 +17,7 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::Options;
 use crate::friction::derivatives::{Differentiated, differentiate_with_law};
-use crate::friction::{InMotion, SlipFriction, fastest_slip};
+use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 use nalgebra::{Matrix6, Vector6};
@@ -200,7 +200,7 @@ impl<'a, F: Float> Fit<'a, F> {
                     let over = force / load;
                     squares += point.weight * over * over;
                     used = used.max(over.abs());
-                    fastest = fastest.max(fastest_slip(contact, &creepage));
+                    fastest = fastest.max(contact.fastest_slip(&creepage));
                 }
             }
         }
@@ -355,19 +355,13 @@ impl<'a, F: Float> Fit<'a, F> {
             errors = variances.map(|variance| (variance * left).max(zero).sqrt().min(F::HUGE));
         }
         errors = errors.zip_map(&self.units, |error, unit| (error * unit).min(F::HUGE));
-        let warning = if !settled {
-            Warning::NotConverged
-        } else if !tells {
-            Warning::Undetermined
-        } else {
-            Warning::None
-        };
+        let warnings = [(!settled, Warning::NotConverged), (!tells, Warning::Undetermined)];
         FrictionFit {
             law: self.law(at),
             standard_errors: with_parameters(&SlipFriction::default(), errors),
             residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
             steps: steps as u32,
-            warning,
+            warning: Warning::first(&warnings),
         }
     }
 }

@@ -116,8 +116,7 @@ impl<'a, F: Float> Rig<'a, F> {
         // 4 (G a b (|υx| + |υy| + √(ab) |φ|)/N + |κ|), about the force of linear theory
         let stiff = law.map_or(contact, |law| law.contact(&contact));
         let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = stiff;
-        let Creepage { longitudinal, lateral, spin } = *creepage;
-        let size = longitudinal.abs() + lateral.abs() + (a * b).sqrt() * spin.abs();
+        let size = creepage.fastest_within((a * b).sqrt());
         let unit = (shear_modulus * a * b * size / normal_force + mismatch.abs()).times(4.0);
         let most = used.times(SLIDING);
         let unit = if unit < most { unit } else { most };
@@ -216,18 +215,13 @@ impl<'a, F: Float> Rig<'a, F> {
         if now > used.times(STICKING) {
             return Ok(self.at_least());
         }
-        let warning = if !settled {
-            Warning::NotConverged
-        } else if search.changes() > 1 {
-            Warning::SeveralFrictions
-        } else {
-            Warning::None
-        };
+        let several = search.changes() > 1;
+        let warnings = [(!settled, Warning::NotConverged), (several, Warning::SeveralFrictions)];
         let [fx, fy] = force;
         let (solution, [_, slope]) = self.force(friction)?;
         let residual = self.measured.component([solution.fx - fx, solution.fy - fy]).abs();
         let sensitivity = finite_or_none(F::one() / slope);
-        let warning = warning.worse(solution.warning);
+        let warning = Warning::first(&warnings).worse(solution.warning);
         Ok(FrictionEstimate { friction, sensitivity, residual, warning, reserved: 0 })
     }
 

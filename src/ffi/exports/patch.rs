@@ -344,7 +344,7 @@ unsafe fn evaluate_patch(
         (found.solution, found.friction, Some((&found.derivatives, &found.law)))
     } else if let Some(law) = law {
         let found = patch::friction::solve_patch_with_law(&view, creepage, law, model)?;
-        (found.solution, found.share, None)
+        (found.solution, found.friction, None)
     } else {
         (solver::solve_patch(&view, creepage, model)?, 1.0, None)
     };
