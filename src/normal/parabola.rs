@@ -171,7 +171,7 @@ fn spacing<F: Float, T: Arithmetic<Value = F>>(profile: &Profile<F>, place: T, n
     share.scale(after - before).shift(before)
 }
 
-/// What belongs to the points from the third before the next one to the second after it.
+/// Six points, from the third before the next one to the second after it, of a list with this last.
 #[inline]
 pub(super) fn around<T>(next: usize, last: usize, of: impl Fn(usize) -> T) -> [T; 6] {
     let next = next.min(last).max(1);
