@@ -2,6 +2,7 @@
 //! shifted into each other.
 
 use crate::number::{Arithmetic, Dual, Float, are_finite, ascend, at, pairs};
+use crate::numerics::Bracket;
 use crate::status::Error;
 use core::fmt::{self, Debug, Formatter};
 
@@ -228,7 +229,7 @@ pub(super) fn invert<F: Float>(
     start: F,
     mut function: impl FnMut(Dual<F, 1>) -> Dual<F, 1>,
 ) -> Option<(Dual<F, 1>, u32)> {
-    let (mut low, mut high) = (F::zero(), F::LARGEST);
+    let mut bracket = Bracket { negative: F::TINY, positive: F::LARGEST };
     let mut x = start;
     let close = F::EPSILON.sqrt().max(F::of(1e-5));
     for step in 1..=STEPS {
@@ -239,24 +240,19 @@ pub(super) fn invert<F: Float>(
         }
         let excess = found.value.ln_quotient(target.value);
         // (over a step of the function the brackets close)
-        let closed = high - low <= x * F::EPSILON.times(8.0);
+        let closed = bracket.width() <= x * F::EPSILON.times(8.0);
         if excess.abs() <= close || closed || step == STEPS {
             let inverse = F::one() / slope;
             let better = x + (target.value - found.value) * inverse;
-            let x = if better > low && better < high { better } else { x };
+            let value = if bracket.holds(better) { better } else { x };
             let gradient = target.gradient.map(|d| d * inverse);
-            return Some((Dual { value: x, gradient }, step));
+            return Some((Dual { value, gradient }, step));
         }
-        if excess < F::zero() {
-            low = x
-        } else {
-            high = x
-        }
+        bracket.narrow(x, excess);
         // (a function of x^p between x^(1/2) and x^8)
         let power = (slope * x / found.value).max(F::of(0.5)).min(F::of(8.0));
         let next = x * (-excess / power).max(F::of(-3.0)).min(F::of(3.0)).exp();
-        let inside = next > low && next < high;
-        x = if inside { next } else { low.max(F::TINY).sqrt() * high.sqrt() };
+        x = if bracket.holds(next) { next } else { bracket.ratio_middle() };
     }
     None
 }
