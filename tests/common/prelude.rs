@@ -116,6 +116,15 @@ pub fn normalised<F: Float>(c: &Contact<F>, s: &Solution<F>) -> [F; 3] {
     [s.fx / bound, s.fy / bound, s.mz / (bound * (c.a * c.b).sqrt())]
 }
 
+/// The size of what was measured of a force.
+pub fn measured_size(measured: Measured, s: &Solution<f64>) -> f64 {
+    match measured {
+        Measured::Fx => s.fx.abs(),
+        Measured::Fy => s.fy.abs(),
+        Measured::Both => s.fx.hypot(s.fy),
+    }
+}
+
 /// A force at its creepage, of which these components were measured.
 pub fn measured_force<F: Float>(
     at: Creepage<F>,

@@ -1,6 +1,7 @@
 //! Cases computed with CONTACT, and how far a model is from them. Used by
 //! `tests/models/accuracy.rs` and by `reports/accuracy.rs`.
 
+pub use crate::theory::options;
 use crate::toolchain::root;
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Creepage;
@@ -328,10 +329,6 @@ pub fn figures(errors: &[f64]) -> Figures {
         p95: low + place.fract() * (high - low),
         max: sorted[n - 1],
     }
-}
-
-pub fn options(model: Model, strips: StripCount) -> Options {
-    Options { model, strips }
 }
 
 /// The name of a model in reports.

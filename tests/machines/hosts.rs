@@ -1,7 +1,7 @@
 //! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each
 //! checks its own figures, and those that docs/hosts.md prints are compared with the page.
 
-use kstrip_testing::toolchain::{cpp_compilers, output_of, released, root, say, scratch};
+use kstrip_testing::toolchain::{cpp_compilers, output_of, read, released, root, say, scratch};
 use std::path::PathBuf;
 use std::process::Command;
 
@@ -37,7 +37,7 @@ fn numbers(text: &str) -> Vec<f64> {
 
 /// The numbers in the last cell of a host's row in docs/hosts.md are these, each to a tolerance.
 fn assert_told(host: &str, found: &[(f64, f64)]) {
-    let page = std::fs::read_to_string(root().join("docs/hosts.md")).expect("the page");
+    let page = read("docs/hosts.md");
     let row = page.lines().find(|line| line.starts_with(&format!("| {host} |"))).expect("a row");
     let told = numbers(row.trim_end_matches([' ', '|']).rsplit('|').next().expect("a cell"));
     assert_eq!(told.len(), found.len(), "docs/hosts.md, {host}: {told:?}");

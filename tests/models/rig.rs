@@ -35,11 +35,7 @@ fn friction_is_found_again() {
         let bound = c.friction * c.normal_force;
         let forgotten = Contact { friction: 0.0, ..c };
         for measured in [Measured::Fx, Measured::Fy, Measured::Both] {
-            let used = match measured {
-                Measured::Fx => s.fx.abs(),
-                Measured::Fy => s.fy.abs(),
-                Measured::Both => s.fx.hypot(s.fy),
-            };
+            let used = measured_size(measured, &s);
             // What spin leaves of a component may fall again as friction grows, and sticking tells
             // nothing
             let clear = if measured == Measured::Both { 0.06 } else { 0.3 };
@@ -54,11 +50,7 @@ fn friction_is_found_again() {
             }
             assert!(e.warning == Warning::None || rough(e.warning), "{e:?}");
             let again = solved(&Contact { friction: e.friction, ..c }, &m, &o);
-            let again = match measured {
-                Measured::Fx => again.fx.abs(),
-                Measured::Fy => again.fy.abs(),
-                Measured::Both => again.fx.hypot(again.fy),
-            };
+            let again = measured_size(measured, &again);
             assert!((again - used).abs() <= 1e-11 * bound, "{e:?} {measured:?} {c:?} {m:?} {o:?}");
             // Rounding of the force, times what the answer says of its sensitivity
             let allowed = 1e-12 * c.friction + 1e-12 * bound * e.sensitivity.abs();

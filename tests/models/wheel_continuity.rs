@@ -98,6 +98,17 @@ impl Over<'_> {
     }
 }
 
+/// A wheel of 0.46 m with 16 strips.
+fn over<'a>(
+    rail: &'a Surface<f64>,
+    wheel: &'a Surface<f64>,
+    smoothing_length: f64,
+    position: Position<f64>,
+) -> Over<'a> {
+    let pair = WheelPair { smoothing_length, ..steel(0.46) };
+    Over { rail, wheel, pair, strips: StripCount::Sixteen, position }
+}
+
 fn any_place(random: &mut Random) -> Position<f64> {
     let lateral = random.between(-15e-3, 12e-3);
     let [yaw, roll] = [0; 2].map(|_| random.between(-0.02, 0.02));
@@ -166,13 +177,9 @@ fn nothing_jumps_by_more_than_rounding() {
             let wheel = pick(&mut random, wheels_of.len());
             let smoothing_length = [0.0, 0.0, 1e-3, 2e-3, 4e-3][pick(&mut random, 5)];
             let strips = [4, 8, 16, 16, 32, 64][pick(&mut random, 6)];
-            let mut over = Over {
-                rail: &rails[rail],
-                wheel: &wheels_of[wheel],
-                pair: WheelPair { smoothing_length, ..steel(0.46) },
-                strips: StripCount::from_number(strips).unwrap(),
-                position: any_place(&mut random),
-            };
+            let position = any_place(&mut random);
+            let mut over = over(&rails[rail], &wheels_of[wheel], smoothing_length, position);
+            over.strips = StripCount::from_number(strips).unwrap();
             let load = random.log_between(10.0, 2e5);
             let mut memory = zeroed::<Workspace<f64>>();
             let height = over.scene().height_for_load(&over.position, load, None, &mut memory);
@@ -238,13 +245,8 @@ fn divided_zones_and_slivers_do_not_jump() {
     ];
     for ((rail, seed, wheel, other), (radius, smoothing_length, strips), place) in cases {
         let (on, above) = (noisy(rail, seed), noisy(wheel, other));
-        let mut over = Over {
-            rail: &on,
-            wheel: &above,
-            pair: WheelPair { smoothing_length, ..steel(radius) },
-            strips,
-            position: placed(place),
-        };
+        let mut over = over(&on, &above, smoothing_length, placed(place));
+        (over.pair.wheel_radius, over.strips) = (radius, strips);
         let [lateral, ..] = place;
         let (jump, at) = largest_jump(&mut over, 0, lateral - 1e-6, lateral + 1e-6, 40);
         assert!(jump < 1e-8, "{jump:e} of N at {at:e}: {wheel} on {rail}");
@@ -261,13 +263,8 @@ fn contacts_begin_without_load() {
     let mut touches = 0;
     for trial in 0..60 {
         let smoothing_length = [0.0, 2e-3, 4e-3][trial % 3];
-        let mut over = Over {
-            rail: &rails[trial % 6],
-            wheel: &wheels[trial / 6 % 4],
-            pair: WheelPair { smoothing_length, ..steel(0.46) },
-            strips: StripCount::Sixteen,
-            position: any_place(&mut random),
-        };
+        let (rail, wheel) = (&rails[trial % 6], &wheels[trial / 6 % 4]);
+        let mut over = over(rail, wheel, smoothing_length, any_place(&mut random));
         let Some([free, loaded]) = over.first_touch(&mut memory) else { continue };
         touches += 1;
         for (vertical, allowed) in [(free, 0.0), (loaded, 1e-3), (loaded + 1e-12, 1e-3)] {
@@ -295,9 +292,7 @@ fn a_zone_without_depth_changes_nothing() {
             let facets = 10e-6 * (2.0 * PI * y / wave).cos();
             beyond * beyond / 0.2 - hollow * (y / wave).powi(2) - facets
         });
-        let position = placed([2e-5, 0.0, 2e-3, 0.0]);
-        let (pair, strips) = (steel(0.46), StripCount::Sixteen);
-        let mut over = Over { rail: &rail, wheel: &wheel, pair, strips, position };
+        let mut over = over(&rail, &wheel, 0.0, placed([2e-5, 0.0, 2e-3, 0.0]));
         let [_, loaded] = over.first_touch(&mut memory).unwrap();
         let mut apart = |over: &mut Over, vertical: f64| {
             let found = over.at(1, vertical, &mut memory).unwrap();
@@ -334,13 +329,9 @@ fn contacts_far_apart_do_not_disturb_each_other() {
     let wheel = measured("car7216", 0.0, 0.0, &mut random);
     let mut memory = zeroed::<Workspace<f64>>();
     for (smoothing_length, strips) in [(0.0, 16), (2e-3, 16), (2e-3, 64), (4e-3, 16)] {
-        let mut over = Over {
-            rail: &rail,
-            wheel: &wheel,
-            pair: WheelPair { smoothing_length, ..steel(0.46) },
-            strips: StripCount::from_number(strips).unwrap(),
-            position: placed([-5.5715e-3, 0.0, 1.359e-3, -4.781e-3]),
-        };
+        let position = placed([-5.5715e-3, 0.0, 1.359e-3, -4.781e-3]);
+        let mut over = over(&rail, &wheel, smoothing_length, position);
+        over.strips = StripCount::from_number(strips).unwrap();
         let loads: Vec<f64> = (0..60)
             .map(|k| {
                 over.position.vertical = 3.8e-4 + 1e-6 * f64::from(k);
@@ -366,9 +357,8 @@ fn contacts_far_apart_do_not_disturb_each_other() {
 fn deep_overlap_counts() {
     let road = drawn(0.1, 101, |_| 0.0);
     let tyre = drawn(0.1, 101, |y| -y * y / 0.6);
-    let pair = WheelPair { shear_modulus: 1e6, poisson_ratio: 0.5, ..steel(0.3) };
-    let (strips, position) = (StripCount::Sixteen, Position::default());
-    let mut over = Over { rail: &road, wheel: &tyre, pair, strips, position };
+    let mut over = over(&road, &tyre, 0.0, Position::default());
+    over.pair = WheelPair { shear_modulus: 1e6, poisson_ratio: 0.5, ..steel(0.3) };
     let mut memory = zeroed::<Workspace<f64>>();
     for k in 1..=18 {
         let depth = 0.5e-3 * f64::from(k);
@@ -394,18 +384,12 @@ fn heights_do_not_depend_on_the_start() {
         let between = |random: &mut Random, most: f64| {
             if small { 0.0 } else { random.between(-most, most) }
         };
-        let mut over = Over {
-            rail: if small { &flat } else { &rails[trial % 6] },
-            wheel: if small { &roller } else { &wheels[trial / 6 % 4] },
-            pair: steel(if small { 5e-3 } else { 0.46 }),
-            strips: StripCount::Sixteen,
-            position: placed([
-                between(&mut random, 12e-3),
-                0.0,
-                between(&mut random, 0.01),
-                between(&mut random, 0.02),
-            ]),
-        };
+        let [lateral, yaw, roll] = [12e-3, 0.01, 0.02].map(|most| between(&mut random, most));
+        let place = placed([lateral, 0.0, yaw, roll]);
+        let (rail, wheel) =
+            if small { (&flat, &roller) } else { (&rails[trial % 6], &wheels[trial / 6 % 4]) };
+        let mut over = over(rail, wheel, 0.0, place);
+        over.pair.wheel_radius = if small { 5e-3 } else { 0.46 };
         let load =
             if small { [1.0, 10.0, 100.0, 1e3][trial - 36] } else { random.log_between(1e3, 2e5) };
         let mut heights = vec![];

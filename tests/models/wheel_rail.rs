@@ -532,26 +532,27 @@ fn forces_are_continuous_under_a_shift() {
         (0.0, 5.4e-3, four, 2e-3),
     ] {
         let mut stand = Stand::new(profile("uic60", turn), profile("s1002", 0.0), 0.46);
-        let mut most = 0.0_f64;
-        let mut last: Option<[f64; 2]> = None;
-        let mut change: Option<[f64; 2]> = None;
-        for i in 0..200 {
-            let shift = first + step * f64::from(i);
-            let wrench = {
-                let position = stand.at(shift, 80e3);
-                stand.solve(&position, &velocity)
-            };
-            let [fx, fy, _] = wrench.force;
-            let now = last.map(|[x, y]| [fx - x, fy - y]);
-            if let (Some([x, y]), Some([before_x, before_y])) = (now, change) {
-                let bend = (x - before_x).hypot(y - before_y) / (0.3 * wrench.normal_force);
-                assert!(bend < allowed, "{shift}: {bend}");
-                most = most.max(bend);
-            }
-            (last, change) = (Some([fx, fy]), now);
-        }
+        let at = |i: i32| {
+            let position = stand.at(first + step * f64::from(i), 80e3);
+            stand.solve(&position, &velocity)
+        };
+        let most = assert_smooth(&(0..200).map(at).collect::<Vec<_>>(), allowed);
         println!("from {first}: bends of {most}");
     }
+}
+
+/// Second differences of the forces along a way are a small share of `μ N`: the largest.
+#[track_caller]
+fn assert_smooth(wrenches: &[Wrench<f64>], allowed: f64) -> f64 {
+    let mut most = 0.0_f64;
+    for (i, three) in wrenches.windows(3).enumerate() {
+        let [before, here, next] = [0, 1, 2].map(|i| three[i].force);
+        let [x, y] = [0, 1].map(|k| next[k] - 2.0 * here[k] + before[k]);
+        let bend = x.hypot(y) / (0.3 * three[1].normal_force);
+        assert!(bend < allowed, "{i}: {bend}");
+        most = most.max(bend);
+    }
+    most
 }
 
 /// A wheel that climbs with its flange at a constant height, by 0.5 um a step: forces bend as
@@ -560,19 +561,11 @@ fn forces_are_continuous_under_a_shift() {
 fn forces_are_smooth_while_points_of_the_gap_come_and_go() {
     let mut stand = Stand::new(profile("uic60", 0.025), profile("s1002", 0.0), 0.46);
     let position = stand.at(6.768e-3, 80e3);
-    let mut at = |i: i32| {
+    let at = |i: i32| {
         let lateral = position.lateral + 0.5e-6 * f64::from(i);
         stand.solve(&Position { lateral, ..position }, &ROLLING)
     };
-    let mut last = [at(-102), at(-101)];
-    for i in -100..=0 {
-        let [before, here] = last;
-        let next = at(i);
-        let bend = |k: usize| next.force[k] - 2.0 * here.force[k] + before.force[k];
-        let bend = bend(0).hypot(bend(1)) / (0.3 * here.normal_force);
-        assert!(bend < 1e-4, "{i}: {bend}");
-        last = [here, next];
-    }
+    assert_smooth(&(-102..=0).map(at).collect::<Vec<_>>(), 1e-4);
 }
 
 /// A wheel that is lowered by 10 nm a step carries more with every step, at least half as much more
@@ -605,17 +598,15 @@ fn the_load_rises_while_another_zone_appears() {
 fn rest_reversal_and_lift_off_are_continuous() {
     let mut stand = Stand::new_profiles();
     let position = stand.at(1e-3, 80e3);
-    let mut last: Option<Members> = None;
-    for i in -100..=100 {
+    let at = |i: i32| {
         let forward = f64::from(i) * 1e-3;
-        let velocity =
-            Velocity { forward, lateral: 2e-5, pitch: -forward / 0.4605, ..Velocity::default() };
-        let here = stand.solve(&position, &velocity).members();
-        if let Some(last) = last {
-            let step = (here[0] - last[0]).hypot(here[1] - last[1]);
-            assert!(step < 0.02 * 0.3 * 80e3, "{forward}: {step}");
-        }
-        last = Some(here);
+        let (lateral, pitch) = (2e-5, -forward / 0.4605);
+        let velocity = Velocity { forward, lateral, pitch, ..Velocity::default() };
+        stand.solve(&position, &velocity).force
+    };
+    for pair in (-100..=100).map(at).collect::<Vec<_>>().windows(2) {
+        let step = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        assert!(step < 0.02 * 0.3 * 80e3, "{pair:?}: {step}");
     }
     let touching = stand.height(&position, 1.0, None);
     for (below, most) in

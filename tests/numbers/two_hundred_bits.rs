@@ -11,6 +11,7 @@ use crate::precise::Precise;
 use kstrip::forces::derivatives::solve_jacobian;
 use kstrip::patch::friction;
 use kstrip::strip_1967::strip::adhesion_length;
+use kstrip_testing::names::problem;
 use kstrip_testing::prelude::*;
 
 /// `a, b, N, G, ν, μ, υx, υy, φ, V`: numbers of single precision, so that one reference serves both
@@ -18,22 +19,9 @@ use kstrip_testing::prelude::*;
 type Inputs = [f32; 10];
 
 fn contact<F: Float>(inputs: &Inputs) -> (Contact<F>, Creepage<F>) {
-    let [
-        a,
-        b,
-        normal_force,
-        shear_modulus,
-        poisson_ratio,
-        friction,
-        longitudinal,
-        lateral,
-        spin,
-        _,
-    ] = inputs.map(F::widened);
-    (
-        Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch: F::zero() },
-        Creepage { longitudinal, lateral, spin },
-    )
+    let mut numbers = inputs.map(F::widened);
+    numbers[9] = F::zero();
+    problem(numbers)
 }
 
 /// What is asked about the inputs.

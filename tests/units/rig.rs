@@ -46,12 +46,7 @@ fn no_friction_is_missed() {
             let measured =
                 if n % 3 == 0 && measured == Measured::Fx { Measured::Fy } else { measured };
             let force = [made.fx, made.fy];
-            let size = match measured {
-                Measured::Fx => made.fx.abs(),
-                Measured::Fy => made.fy.abs(),
-                Measured::Both => made.fx.hypot(made.fy),
-            };
-            if size < 1e-9 * contact.friction * contact.normal_force {
+            if measured_size(measured, &made) < 1e-9 * contact.friction * contact.normal_force {
                 continue;
             }
             tried += 1;
