@@ -204,10 +204,8 @@ impl<F: Float> ThroughLayer<'_, F> {
         by_model!(self.options.model, F, solve_in(self, contact), Err(Error::Model))
     }
 
-    /// Forces with their derivatives while friction stays.
-    ///
-    /// # Errors
-    /// Those of [`solve`](Self::solve); [`Error::Overflow`] also when a derivative does not fit.
+    /// Forces with their derivatives while friction stays; [`Error::Overflow`] also when one of
+    /// these does not fit.
     pub fn differentiate(&self, contact: &Contact<F>) -> Result<WithSlopes<F>, Error> {
         let ordinary = contact.is_ordinary(self.creepage);
         if !ordinary {
@@ -359,9 +357,6 @@ impl<F: Float> ThroughLayer<'_, F> {
     /// Every strip of the solution of a contact, handed to `visit`: the mean of a strip of
     /// half-spaces and of its bristles. Their shares add up to the forces of
     /// [`solve`](Self::solve).
-    ///
-    /// # Errors
-    /// Those of [`strips`](crate::forces::strips()).
     pub fn strips(
         &self,
         contact: &Contact<F>,

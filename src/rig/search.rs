@@ -99,8 +99,7 @@ impl<F: Float> Search<F> {
     pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
         let dangerous = self.kept.iter().filter(|kept| kept.danger > F::one());
         let worst = dangerous.reduce(|a, b| if b.danger > a.danger { b } else { a })?;
-        let Interval { from, to, danger } = *worst;
-        Some((Interval { from, to, danger }, self.judged(&from, &to).1))
+        Some((*worst, self.judged(&worst.from, &worst.to).1))
     }
 
     /// Divides an interval that [`next`](Self::next) has returned.

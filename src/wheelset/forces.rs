@@ -119,8 +119,7 @@ impl<F: Float> Wheelset<'_, F> {
             sum.warning = sum.warning.worse(wheel.warning);
             *rail = wheel.force.map(|force| -force);
         }
-        let sound = are_finite(&found.wrench.members());
-        if sound { Ok(found) } else { Err(Error::Overflow) }
+        Error::Overflow.unless(are_finite(&found.wrench.members())).map(|()| found)
     }
 }
 

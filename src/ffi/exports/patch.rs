@@ -136,14 +136,15 @@ pub extern "C" fn kstrip_patch_from_contact(
         let (contact, patch) = (given(contact)?, given(patch)?);
         let count = for_strips(options)?.strips;
         let Contact { shear_modulus, poisson_ratio, .. } = *contact;
-        let scale = QuadratureScale::default();
         if contact.is_lost() {
             contact.check()?;
-            StoredPatch::write(&PatchView::new(&[], shear_modulus, poisson_ratio, scale)?, patch);
+            let none =
+                PatchView::new(&[], shear_modulus, poisson_ratio, QuadratureScale::default());
+            StoredPatch::write(&none?, patch);
             return Ok(Warning::None);
         }
         check_ellipse(contact, count)?;
-        let stored = StoredPatch::write_empty(patch, shear_modulus, poisson_ratio, scale);
+        let stored = StoredPatch::write_empty(patch, shear_modulus, poisson_ratio);
         stored.mismatch = contact.mismatch;
         let scale = ellipse(contact, count, |strip| stored.push(strip))?;
         (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
@@ -287,25 +288,20 @@ pub unsafe extern "C" fn kstrip_patch_field(
 
 impl StoredPatch<F> {
     /// A patch without strips, written in place because it is large.
-    fn write_empty(
-        out: &mut MaybeUninit<Self>,
-        shear_modulus: F,
-        poisson_ratio: F,
-        scale: QuadratureScale<F>,
-    ) -> &mut Self {
+    fn write_empty(out: &mut MaybeUninit<Self>, shear_modulus: F, poisson_ratio: F) -> &mut Self {
         // SAFETY: all bits zero are a structure of numbers.
         let patch = unsafe {
             out.as_mut_ptr().write_bytes(0, 1);
             out.assume_init_mut()
         };
-        (patch.shear_modulus, patch.poisson_ratio) = (shear_modulus, poisson_ratio);
-        (patch.area_scale, patch.lever_scale) = (scale.area, scale.lever);
+        patch.clear(shear_modulus, poisson_ratio);
         patch
     }
 
     fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
-        let (shear_modulus, poisson_ratio) = (view.shear_modulus(), view.poisson_ratio());
-        let patch = Self::write_empty(out, shear_modulus, poisson_ratio, view.quadrature());
+        let patch = Self::write_empty(out, view.shear_modulus(), view.poisson_ratio());
+        let QuadratureScale { area, lever } = view.quadrature();
+        (patch.area_scale, patch.lever_scale) = (area, lever);
         for strip in view.strips() {
             patch.push(*strip);
         }
