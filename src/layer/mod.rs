@@ -126,7 +126,7 @@ impl<T: Number> Split<T> {
 
 impl<F: Real> Layer<F> {
     /// Of the ellipse of an axis ratio `a/b` with its coefficients.
-    #[inline(always)]
+    #[inline]
     pub fn new(axis_ratio: F, linear: &LinearCoefficients<F>) -> Self {
         let LinearCoefficients { c11, c22, c23, .. } = *linear;
         let root = axis_ratio.sqrt();

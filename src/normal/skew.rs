@@ -28,7 +28,7 @@ const PRESSURE: [f64; 5] = [2.0 / 9.0, 0.20185655, 0.05583529, 0.79983055, 0.172
 const AXES: [f64; 5] = [1.0 / 32.0, 0.00877391, 0.00136164, -0.05536114, 0.03584116];
 
 /// The fitted function of the logarithm of a number.
-#[inline]
+#[inline(always)]
 fn by_constants<F: Float, const N: usize>(x: Dual<F, N>, [s, a, b, d, e]: [f64; 5]) -> Dual<F, N> {
     let x = Dual::composed(x.value.ln(), [F::one() / x.value], [x]);
     x * ((x.times(b).plus(a) * x).plus(s) / (x * x.times(e).plus(d)).plus(1.0))

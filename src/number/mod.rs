@@ -123,7 +123,7 @@ pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool
 const MANY: usize = 32;
 
 /// Adds numbers to their sums.
-#[inline]
+#[inline(always)]
 pub(crate) fn add<T: Arithmetic>(sums: &mut [T], numbers: impl IntoIterator<Item = T>) {
     for (sum, number) in sums.iter_mut().zip(numbers) {
         *sum += number;

@@ -59,7 +59,7 @@ impl<F: Float> Roller<F> {
     /// The sine of the angle `θ` about the axle at which points of the wheel are nearest to the
     /// roller, from that over a straight rail. `turn` turns a direction from the wheelset's axes to
     /// the track's; the profile has a radius, a place along the axle, and a direction there.
-    #[inline(always)]
+    #[inline]
     pub fn sine<P: Strips<F>>(
         &self,
         turn: impl Fn([P; 3]) -> [P; 3],
