@@ -208,7 +208,7 @@ mod x86 {
                         $vandnot($vset(-0.0), a), each a.abs();
                     roots(a) $sqrt(a), $wsqrt(a), $vsqrt(a), each Arithmetic::sqrt(a);
                 }
-                #[inline(always)]
+                #[inline]
                 fn chosen<const N: usize>(
                     by: [Self; N],
                     yes: [Self; N],

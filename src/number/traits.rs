@@ -360,7 +360,7 @@ pub(super) fn each<T: Copy, const N: usize>(mut a: [T; N], of: impl Fn(T) -> T) 
 }
 
 /// An operation of one number and its neighbour after the other.
-#[inline(always)]
+#[inline]
 pub(super) fn each_pair<T: Copy, const N: usize>(
     mut a: [T; N],
     b: [T; N],
@@ -377,7 +377,7 @@ pub(super) fn each_pair<T: Copy, const N: usize>(
 }
 
 /// `yes` where a number is positive, else `no`, one after the other.
-#[inline(always)]
+#[inline]
 pub(super) fn each_chosen<T: Arithmetic, const N: usize>(
     by: [T; N],
     yes: [T; N],
