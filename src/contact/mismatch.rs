@@ -59,7 +59,8 @@ impl<F: Real> Contact<F> {
         mismatch * normal_force / a / (a + b) / shear_modulus
     }
 
-    /// No point of the contact slips faster than this, over rolling speed.
+    /// `|υx| + |s| + |υy| + (a + b) |φ|` with the strain `s`: no point of the contact slips faster,
+    /// over rolling speed.
     #[inline(always)]
     pub(crate) fn fastest_slip(&self, creepage: &Creepage<F>) -> F {
         creepage.longitudinal.abs()

@@ -50,7 +50,8 @@ use crate::status::{Error, Warning};
 pub struct FrictionSolution<F> {
     /// The forces; its warning is also that of the friction.
     pub solution: Solution<F>,
-    /// The coefficient of friction that agrees with the slip; of a patch the share `λ`.
+    /// The coefficient of friction that agrees with the slip \[-\]; of a patch the share `λ`, 0 to
+    /// 1: friction at the slip over friction without slip, the same for all strips.
     pub friction: F,
 }
 
