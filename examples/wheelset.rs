@@ -16,7 +16,7 @@ use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::status::Error;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::surface::PreparedProfile;
 use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use kstrip::wheel_rail::{BodyState, Position, Requested, Velocity, WheelPair};
 use nalgebra::{Matrix6, Vector6};
@@ -42,7 +42,7 @@ fn zeroed<T>() -> Box<T> {
 }
 
 /// Columns y and z, in mm, of a file of `tests/data/wheel_rail`.
-fn profile(name: &str) -> Result<Box<Surface<f64>>, Error> {
+fn profile(name: &str) -> Result<Box<PreparedProfile<f64>>, Error> {
     let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("the profile is part of the sources");
     let (mut y, mut z) = (vec![], vec![]);
@@ -51,7 +51,7 @@ fn profile(name: &str) -> Result<Box<Surface<f64>>, Error> {
         y.extend(numbers.next().map(|mm| mm * 1e-3));
         z.extend(numbers.next().map(|mm| mm * 1e-3));
     }
-    let mut surface = zeroed::<Surface<f64>>();
+    let mut surface = zeroed::<PreparedProfile<f64>>();
     surface.prepare(&y, &z, 0.0, 0.0)?;
     Ok(surface)
 }
@@ -80,8 +80,8 @@ pub struct Place {
 
 /// A wheelset on two rails.
 pub struct Wheelset {
-    rail: Box<Surface<f64>>,
-    wheel: Box<Surface<f64>>,
+    rail: Box<PreparedProfile<f64>>,
+    wheel: Box<PreparedProfile<f64>>,
     /// The right wheel and the left one.
     pairs: [WheelPair<f64>; 2],
     memory: Box<Workspace<f64>>,
@@ -244,8 +244,8 @@ impl Wheelset {
 }
 
 fn scene<'a>(
-    rail: &'a Surface<f64>,
-    wheel: &'a Surface<f64>,
+    rail: &'a PreparedProfile<f64>,
+    wheel: &'a PreparedProfile<f64>,
     pair: &'a WheelPair<f64>,
 ) -> Scene<'a, f64> {
     let law = Law { model: Model::Strip, falling: None };

@@ -28,7 +28,7 @@ pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::status::{Error, Warning, kstrip_status};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
 pub(super) use crate::wheel_rail::scene::Workspace;
-pub(super) use crate::wheel_rail::surface::Surface;
+pub(super) use crate::wheel_rail::surface::PreparedProfile;
 pub(super) use crate::wheel_rail::touch::{Gap, GapSearch};
 pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
 pub(super) use crate::wheel_rail::{

@@ -7,7 +7,7 @@ use crate::friction::derivatives::LawDerivatives;
 use crate::motion::MotionDerivatives;
 pub use crate::patch::StoredPatch;
 use crate::wheel_rail::WheelPair;
-use crate::wheel_rail::surface::Surface;
+use crate::wheel_rail::surface::PreparedProfile;
 use crate::wheelset::track::RailMotion;
 
 /// The model and the number of strips. All zero is the default.
@@ -251,7 +251,7 @@ pub struct ProfileOptions<F> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Track<F> {
     /// Prepared profiles, both of a right rail: right, left; left NULL: as the right one.
-    pub rail: [*const Surface<F>; 2],
+    pub rail: [*const PreparedProfile<F>; 2],
     /// Gauge [m]: distance of the gauge faces, 1.435 for standard gauge; not used where both
     /// origins are given.
     pub gauge: F,
@@ -269,7 +269,7 @@ pub struct Track<F> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelsetParts<F> {
     /// Prepared profiles, both of a right wheel: right, left; left NULL: as the right one.
-    pub wheel: [*const Surface<F>; 2],
+    pub wheel: [*const PreparedProfile<F>; 2],
     /// Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
     /// constant.
     pub friction: [*const SlipFriction<F>; 2],

@@ -3,7 +3,7 @@
 
 use super::curve::{Points, distance};
 use super::spine::{CAPACITY, Polyline};
-use super::surface::{CurvePoint, Surface};
+use super::surface::{CurvePoint, PreparedProfile};
 use crate::number::{Float, add_at, between, set_at};
 use crate::numerics::parabola::NormalEquations;
 
@@ -49,7 +49,7 @@ impl<F: Float> PointAverage<F> {
 pub(super) struct Knots<'a, F> {
     /// Where the points are stored. Weighted knots have their weight instead of the cosine and
     /// their spread in that of the sine; of single points a second half is stored there.
-    store: &'a mut Surface<F>,
+    store: &'a mut PreparedProfile<F>,
     lengths: [F; SINGLE],
     is_weighted: bool,
     count: usize,
@@ -71,7 +71,7 @@ impl<F: Float> Points<F> for Knots<'_, F> {
 
 impl<'a, F: Float> Knots<'a, F> {
     /// No knots; a surface where they are stored.
-    pub(super) fn new(store: &'a mut Surface<F>) -> Self {
+    pub(super) fn new(store: &'a mut PreparedProfile<F>) -> Self {
         Self { store, lengths: [F::zero(); SINGLE], is_weighted: false, count: 0 }
     }
 

@@ -16,7 +16,7 @@
 //! moves.
 
 use super::line_of_contact::{FACTORS, Turn};
-use super::surface::Surface;
+use super::surface::PreparedProfile;
 use super::under::UNDERCUT;
 use super::{Position, sine_cosine};
 use crate::normal::profile::{Moves, TOGETHER};
@@ -32,7 +32,7 @@ pub(super) type Lists<'a, F> = [&'a [F]; 7];
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PointMoves<'a, F> {
     lists: Lists<'a, F>,
-    rail: &'a Surface<F>,
+    rail: &'a PreparedProfile<F>,
     turn: Turn<F>,
     /// -1 for a left wheel, whose mirror image moves the other way, else 1.
     side: F,
@@ -58,7 +58,7 @@ impl<'a, F: Float> PointMoves<'a, F> {
     /// `position` is that of a right wheel, or of the mirror image of a left one.
     pub fn new(
         lists: Lists<'a, F>,
-        rail: &'a Surface<F>,
+        rail: &'a PreparedProfile<F>,
         position: &Position<F>,
         left: bool,
         reach: F,

@@ -16,7 +16,7 @@
 
 use super::contacts::WheelContact;
 use super::scene::Scene;
-use super::surface::{CurvePoint, Surface};
+use super::surface::{CurvePoint, PreparedProfile};
 use crate::contact::plausibility::{LARGEST_FRICTION, LARGEST_PRESSURE, LARGEST_RADIUS};
 use crate::number::Float;
 use crate::status::Warning;
@@ -44,7 +44,7 @@ const NO_RAIL: u32 = 2;
 /// The profile has few points, and its shape is not smooth between them.
 pub(super) const ROUGH_AND_COARSE: u32 = 4;
 
-impl<F: Float> Surface<F> {
+impl<F: Float> PreparedProfile<F> {
     /// What the shape tells: whether the profile may be that of a wheel, and that of a rail.
     pub(super) fn what_it_is(&self) -> u32 {
         let zero = F::zero();

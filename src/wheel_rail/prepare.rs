@@ -12,7 +12,7 @@ use super::curve::{Chords, Points, distance};
 use super::knots::{Knots, SINGLE};
 use super::plausibility::ROUGH_AND_COARSE;
 use super::spine::Polyline;
-use super::surface::{CurvePoint, Surface};
+use super::surface::{CurvePoint, PreparedProfile};
 use crate::number::{Float, are_finite};
 use crate::numerics::ramp;
 use crate::status::{Error, Warning};
@@ -35,7 +35,7 @@ const DRAWN: [f64; 2] = [6e-4, 2e-3];
 /// Distance from the smoothed line, over the points' distance, above which points are too few.
 const ROUGH: f64 = 1e-3;
 
-impl<F: Float> Surface<F> {
+impl<F: Float> PreparedProfile<F> {
     /// Fills the surface. Points may turn back (those of a measured flange do), run either way
     /// along y, lie at any distances, be scanned twice and scatter; only their order along the
     /// profile counts, and only over distances larger than their scatter. Smoothing replaces every

@@ -1,7 +1,7 @@
 //! Force and moment for a position, and the height of a wheel that carries a load.
 
 use super::contacts::{self, WheelContact};
-use super::surface::Surface;
+use super::surface::PreparedProfile;
 use super::touch::{Gap, GapSearch};
 use super::view;
 use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
@@ -49,9 +49,9 @@ pub struct Workspace<F> {
 #[derive(Clone, Copy)]
 pub struct Scene<'a, F> {
     /// The rail.
-    pub rail: &'a Surface<F>,
+    pub rail: &'a PreparedProfile<F>,
     /// The wheel.
-    pub wheel: &'a Surface<F>,
+    pub wheel: &'a PreparedProfile<F>,
     /// Materials, friction, side.
     pub pair: &'a WheelPair<F>,
     /// Number of strips.

@@ -10,7 +10,7 @@ use crate::status::Error;
 /// larger y, and its direction. It holds plain numbers and may be copied.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface<F> {
+pub struct PreparedProfile<F> {
     /// y \[m\], to the right: of a rail from its origin, of a wheel from its running circle, with
     /// the flange at small y.
     pub y: [F; KSTRIP_SURFACE_CAPACITY],
@@ -40,7 +40,7 @@ pub(crate) struct CurvePoint<F> {
     pub sine: F,
 }
 
-impl<F: Float> Surface<F> {
+impl<F: Float> PreparedProfile<F> {
     /// Directions from five points, exact for polynomials of degree four; from three at the ends.
     pub(super) fn directions(&mut self) {
         let count = self.count as usize;

@@ -6,7 +6,7 @@
 //! tread.
 
 use super::line_of_contact::Wheel;
-use super::surface::{CurvePoint, Surface};
+use super::surface::{CurvePoint, PreparedProfile};
 use super::under::{Rail, UNDERCUT};
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::number::avx::with_avx;
@@ -80,8 +80,8 @@ impl<F: Float> Gap<F> {
 /// A right wheel over a rail, between which the gap is searched.
 #[derive(Clone, Copy)]
 pub struct GapSearch<'a, F> {
-    rail: &'a Surface<F>,
-    wheel: &'a Surface<F>,
+    rail: &'a PreparedProfile<F>,
+    wheel: &'a PreparedProfile<F>,
     turned: Wheel<F>,
     position: Position<F>,
 }
@@ -218,8 +218,8 @@ impl<'a, F: Float> GapSearch<'a, F> {
     /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`];
     /// [`Error::ProfileEnd`] for an angle of one or more.
     pub fn new(
-        rail: &'a Surface<F>,
-        wheel: &'a Surface<F>,
+        rail: &'a PreparedProfile<F>,
+        wheel: &'a PreparedProfile<F>,
         wheel_radius: F,
         position: &Position<F>,
     ) -> Result<Self, Error> {
@@ -231,8 +231,8 @@ impl<'a, F: Float> GapSearch<'a, F> {
     /// The wheel of a pair that was checked, at the position of a right wheel, or of the mirror
     /// image of a left one.
     pub(super) fn of_pair(
-        rail: &'a Surface<F>,
-        wheel: &'a Surface<F>,
+        rail: &'a PreparedProfile<F>,
+        wheel: &'a PreparedProfile<F>,
         pair: &WheelPair<F>,
         right: &Position<F>,
     ) -> Result<Self, Error> {
@@ -240,8 +240,8 @@ impl<'a, F: Float> GapSearch<'a, F> {
     }
 
     fn of_turned(
-        rail: &'a Surface<F>,
-        wheel: &'a Surface<F>,
+        rail: &'a PreparedProfile<F>,
+        wheel: &'a PreparedProfile<F>,
         turned: Wheel<F>,
         position: &Position<F>,
     ) -> Result<Self, Error> {

@@ -1,6 +1,6 @@
 //! The point of a rail under another point: where the rail's normal leads to it.
 
-use super::surface::{Piece, Surface};
+use super::surface::{Piece, PreparedProfile};
 use crate::number::{Float, Strips};
 
 /// Number of corrections of a place on the rail. Each doubles the number of correct digits. The
@@ -19,7 +19,7 @@ pub(super) const UNDERCUT: f64 = -1.0 / 3.0;
 
 /// A rail, and where the search for the next point begins.
 pub(super) struct Rail<'a, F> {
-    surface: &'a Surface<F>,
+    surface: &'a PreparedProfile<F>,
     /// First and last of the points around the highest one between which it does not lean back.
     upright: [usize; 2],
     /// Distance from the rail above which only the nearest of its points is looked for \[m\].
@@ -47,7 +47,7 @@ pub(super) struct Foot<P> {
 }
 
 impl<'a, F: Float> Rail<'a, F> {
-    pub fn new(surface: &'a Surface<F>, reach: F) -> Self {
+    pub fn new(surface: &'a PreparedProfile<F>, reach: F) -> Self {
         let free = ([F::zero(); 2], F::zero());
         let (faced, looks_at_all) = (false, false);
         let upright = upright(surface);
@@ -176,7 +176,7 @@ impl<'a, F: Float> Rail<'a, F> {
 
 /// First and last of the points around a rail's highest one between which no cosine is below
 /// [`UNDERCUT`].
-fn upright<F: Float>(rail: &Surface<F>) -> [usize; 2] {
+fn upright<F: Float>(rail: &PreparedProfile<F>) -> [usize; 2] {
     let count = rail.count as usize;
     let [z, cosine] = [&rail.z, &rail.cosine].map(|list| list.get(..count).unwrap_or(&[]));
     let lower = |(highest, least), (k, z): (usize, &F)| {

@@ -3,7 +3,7 @@
 
 use super::moves::{Lists, PointMoves};
 use super::roller::{Over, Roller};
-use super::surface::Surface;
+use super::surface::PreparedProfile;
 use super::touch::{self, Gap};
 use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::contact::totals::StripCount;
@@ -75,7 +75,7 @@ impl<'a, F: Float> View<'a, F> {
     }
 
     /// How the points of the gap move over a rail.
-    pub fn moves(&self, rail: &'a Surface<F>) -> PointMoves<'a, F> {
+    pub fn moves(&self, rail: &'a PreparedProfile<F>) -> PointMoves<'a, F> {
         let WheelPair { left, smoothing_length, .. } = *self.pair;
         let reach = reach(self.given_step, smoothing_length);
         PointMoves::new(self.lists, rail, &self.position, left != 0, reach)

@@ -2,7 +2,7 @@
 
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
-use crate::wheel_rail::surface::Surface;
+use crate::wheel_rail::surface::PreparedProfile;
 use crate::wheel_rail::{Position, Velocity, sine_cosine};
 
 /// Default of the depth below the top of the rail down to which the gauge is measured \[m\] (EN
@@ -42,7 +42,7 @@ impl<F: Float> RailMotion<F> {
 ///
 /// # Errors
 /// [`Error::NotPrepared`], [`Error::NotFinite`]; [`Error::Gauge`] for a negative depth.
-pub fn gauge_face<F: Float>(rail: &Surface<F>, depth: F) -> Result<(F, Warning), Error> {
+pub fn gauge_face<F: Float>(rail: &PreparedProfile<F>, depth: F) -> Result<(F, Warning), Error> {
     rail.check()?;
     Error::NotFinite.unless(depth.is_finite_number())?;
     Error::Gauge.unless(depth >= F::zero())?;

@@ -10,7 +10,7 @@ use crate::toolchain::root;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::Surface;
+use kstrip::wheel_rail::surface::PreparedProfile;
 use kstrip::wheel_rail::wrench::Law;
 use kstrip::wheel_rail::{BodyState, Position, Velocity, WheelPair};
 
@@ -70,19 +70,19 @@ pub fn points(name: &str) -> [Vec<f64>; 2] {
 }
 
 /// The profile of such a file.
-pub fn profile(name: &str) -> Box<Surface<f64>> {
+pub fn profile(name: &str) -> Box<PreparedProfile<f64>> {
     let [y, z] = points(name);
     prepared(&y, &z)
 }
 
-pub fn prepared(y: &[f64], z: &[f64]) -> Box<Surface<f64>> {
-    let mut surface = zeroed::<Surface<f64>>();
+pub fn prepared(y: &[f64], z: &[f64]) -> Box<PreparedProfile<f64>> {
+    let mut surface = zeroed::<PreparedProfile<f64>>();
     surface.prepare(y, z, 0.0, 0.0).unwrap();
     surface
 }
 
 /// A profile of `2 n + 1` points at these distances [m] across.
-pub fn drawn(n: i32, step: f64, height: impl Fn(f64) -> f64) -> Box<Surface<f64>> {
+pub fn drawn(n: i32, step: f64, height: impl Fn(f64) -> f64) -> Box<PreparedProfile<f64>> {
     let y: Vec<f64> = (-n..=n).map(|i| f64::from(i) * step).collect();
     let z: Vec<f64> = y.iter().map(|y| height(*y)).collect();
     prepared(&y, &z)
@@ -100,8 +100,8 @@ pub fn steel(wheel_radius: f64) -> WheelPair<f64> {
 }
 
 pub struct Wheelset {
-    rail: Box<Surface<f64>>,
-    wheel: Box<Surface<f64>>,
+    rail: Box<PreparedProfile<f64>>,
+    wheel: Box<PreparedProfile<f64>>,
     memory: Box<Workspace<f64>>,
 }
 

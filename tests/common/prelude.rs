@@ -42,7 +42,7 @@ pub use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
 pub use kstrip::total::Total;
 pub use kstrip::wheel_rail::contacts::WheelContact;
 pub use kstrip::wheel_rail::scene::{Scene, Workspace};
-pub use kstrip::wheel_rail::surface::Surface;
+pub use kstrip::wheel_rail::surface::PreparedProfile;
 pub use kstrip::wheel_rail::wrench::{
     Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts,
 };
@@ -140,8 +140,8 @@ pub const STRIP: Law<f64> = Law { model: Model::Strip, falling: None };
 
 /// A wheel and a rail with 16 strips of STRIP.
 pub fn scene<'a>(
-    rail: &'a Surface<f64>,
-    wheel: &'a Surface<f64>,
+    rail: &'a PreparedProfile<f64>,
+    wheel: &'a PreparedProfile<f64>,
     pair: &'a WheelPair<f64>,
 ) -> Scene<'a, f64> {
     Scene { rail, wheel, pair, strips: StripCount::Sixteen, law: STRIP }

@@ -33,7 +33,7 @@ macro_rules! structures {
         pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<$float>;
         pub type kstrip_measured_force = kstrip::rig::fit::MeasuredForce<$float>;
         pub type kstrip_friction_fit = kstrip::rig::fit::FrictionFit<$float>;
-        pub type kstrip_surface = kstrip::wheel_rail::surface::Surface<$float>;
+        pub type kstrip_surface = kstrip::wheel_rail::surface::PreparedProfile<$float>;
         pub type kstrip_wheel_position = kstrip::wheel_rail::Position<$float>;
         pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<$float>;
         pub type kstrip_wheel_pair = kstrip::wheel_rail::WheelPair<$float>;

@@ -294,7 +294,7 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
 fn hash_points<F: Bits>(hash: &mut Hash, points: &[[f64; 2]], lengths: [f64; 2]) {
     let [y, z] = [0, 1].map(|k| points.iter().map(|of| F::of(of[k])).collect::<Vec<_>>());
     let [step, smoothing] = lengths.map(F::of);
-    let mut surface = zeroed::<Surface<F>>();
+    let mut surface = zeroed::<PreparedProfile<F>>();
     let found = surface.prepare(&y, &z, step, smoothing);
     if hash.status(found.map(|warning| ((), warning))).is_some() {
         hash_surface(hash, &surface);

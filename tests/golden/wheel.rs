@@ -36,21 +36,21 @@ const CASES: [Case; 15] = [
 
 /// A rail, a wheel, and memory.
 pub struct Stand<F> {
-    pub rail: Box<Surface<F>>,
-    pub wheel: Box<Surface<F>>,
+    pub rail: Box<PreparedProfile<F>>,
+    pub wheel: Box<PreparedProfile<F>>,
     pub pair: WheelPair<F>,
     pub memory: Box<Workspace<F>>,
 }
 
-fn surface<F: Bits>(name: &str, smoothing_length: f64) -> Box<Surface<F>> {
+fn surface<F: Bits>(name: &str, smoothing_length: f64) -> Box<PreparedProfile<F>> {
     let [y, z] = points(name).map(|list| list.into_iter().map(F::of).collect::<Vec<_>>());
-    let mut surface = zeroed::<Surface<F>>();
+    let mut surface = zeroed::<PreparedProfile<F>>();
     surface.prepare(&y, &z, F::zero(), F::of(smoothing_length)).expect("a profile");
     surface
 }
 
-pub fn hash_surface<F: Bits>(hash: &mut Hash, surface: &Surface<F>) {
-    let Surface { y, z, cosine, sine, step, count, .. } = surface;
+pub fn hash_surface<F: Bits>(hash: &mut Hash, surface: &PreparedProfile<F>) {
+    let PreparedProfile { y, z, cosine, sine, step, count, .. } = surface;
     let count = *count as usize;
     hash.mix(count as u64);
     hash.add(&[*step]);

@@ -10,9 +10,13 @@ const NAMES: [&str; 10] = [
 
 type Points = Vec<[f64; 2]>;
 
-fn prepared(points: &[[f64; 2]], step: f64, smoothing: f64) -> Result<Box<Surface<f64>>, Error> {
+fn prepared(
+    points: &[[f64; 2]],
+    step: f64,
+    smoothing: f64,
+) -> Result<Box<PreparedProfile<f64>>, Error> {
     let (y, z): (Vec<f64>, Vec<f64>) = points.iter().map(|&[y, z]| (y, z)).unzip();
-    let mut surface = zeroed::<Surface<f64>>();
+    let mut surface = zeroed::<PreparedProfile<f64>>();
     surface.prepare(&y, &z, step, smoothing).map(|_| surface)
 }
 
@@ -21,7 +25,7 @@ fn profile(name: &str) -> Points {
     y.into_iter().zip(z).map(|(y, z)| [y, z]).collect()
 }
 
-fn nodes(surface: &Surface<f64>) -> Points {
+fn nodes(surface: &PreparedProfile<f64>) -> Points {
     let count = surface.count as usize;
     (0..count).map(|k| [surface.y[k], surface.z[k]]).collect()
 }
@@ -44,8 +48,8 @@ fn from_line(line: &[[f64; 2]], point: [f64; 2]) -> f64 {
 }
 
 /// The curve of a surface at eight places between its points.
-fn curve(surface: &Surface<f64>) -> Points {
-    let Surface { y, z, cosine, sine, step, .. } = surface;
+fn curve(surface: &PreparedProfile<f64>) -> Points {
+    let PreparedProfile { y, z, cosine, sine, step, .. } = surface;
     let place = |i: usize| {
         let (k, u) = (i / 8, (i % 8) as f64 / 8.0);
         let cubic = |value: &[f64], slope: &[f64]| {
@@ -63,8 +67,8 @@ fn curve(surface: &Surface<f64>) -> Points {
 }
 
 /// The largest distance of two curves from each other: of the points of each from the other.
-fn apart(one: &Surface<f64>, other: &Surface<f64>) -> f64 {
-    let largest = |of: &Surface<f64>, from: &Surface<f64>| {
+fn apart(one: &PreparedProfile<f64>, other: &PreparedProfile<f64>) -> f64 {
+    let largest = |of: &PreparedProfile<f64>, from: &PreparedProfile<f64>| {
         let (line, nodes) = (curve(from), nodes(of));
         let near = |k: usize| {
             let middle = k * (line.len() - 1) / (nodes.len() - 1);
@@ -77,7 +81,7 @@ fn apart(one: &Surface<f64>, other: &Surface<f64>) -> f64 {
 }
 
 /// Largest difference of the distances of neighbours from the step, as a share.
-fn unequal(surface: &Surface<f64>) -> f64 {
+fn unequal(surface: &PreparedProfile<f64>) -> f64 {
     let steps =
         nodes(surface).windows(2).map(|ends| distance(ends[0], ends[1])).collect::<Vec<_>>();
     steps.iter().map(|step| (step / surface.step - 1.0).abs()).fold(0.0, f64::max)
@@ -292,7 +296,7 @@ fn only_points_without_order_are_refused() {
         points.swap(i, (random.unit() * (i + 1) as f64) as usize);
     }
     let (y, z): (Vec<f64>, Vec<f64>) = points.iter().map(|&[y, z]| (y, z)).unzip();
-    let mut surface = zeroed::<Surface<f64>>();
+    let mut surface = zeroed::<PreparedProfile<f64>>();
     surface.step = 3.0;
     let before = surface.clone();
     assert_eq!(surface.prepare(&y, &z, 0.0, 0.0), Err(Error::Scatter));

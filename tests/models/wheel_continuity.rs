@@ -16,7 +16,7 @@ pub(crate) const WHEELS: [&str; 4] = ["s1002", "whl288", "avgwhl", "car7216"];
 const VELOCITY: Velocity<f64> = Velocity { lateral: 0.05, ..ROLLING };
 
 /// A profile of the data, turned, with noise of a size across.
-fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<Surface<f64>> {
+fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<PreparedProfile<f64>> {
     let [y, z] = points(name);
     let (sine, cosine) = turn.sin_cos();
     let (y, z): (Vec<f64>, Vec<f64>) = y
@@ -29,7 +29,7 @@ fn measured(name: &str, turn: f64, noise: f64, random: &mut Random) -> Box<Surfa
 }
 
 /// A profile drawn between two places.
-fn drawn(ends: f64, count: usize, height: impl Fn(f64) -> f64) -> Box<Surface<f64>> {
+fn drawn(ends: f64, count: usize, height: impl Fn(f64) -> f64) -> Box<PreparedProfile<f64>> {
     let y: Vec<f64> =
         (0..count).map(|i| -ends + 2.0 * ends * i as f64 / (count - 1) as f64).collect();
     let z: Vec<f64> = y.iter().map(|y| height(*y)).collect();
@@ -38,8 +38,8 @@ fn drawn(ends: f64, count: usize, height: impl Fn(f64) -> f64) -> Box<Surface<f6
 
 /// A wheel over a rail.
 struct Over<'a> {
-    rail: &'a Surface<f64>,
-    wheel: &'a Surface<f64>,
+    rail: &'a PreparedProfile<f64>,
+    wheel: &'a PreparedProfile<f64>,
     pair: WheelPair<f64>,
     strips: StripCount,
     position: Position<f64>,
@@ -100,8 +100,8 @@ impl Over<'_> {
 
 /// A wheel of 0.46 m with 16 strips.
 fn over<'a>(
-    rail: &'a Surface<f64>,
-    wheel: &'a Surface<f64>,
+    rail: &'a PreparedProfile<f64>,
+    wheel: &'a PreparedProfile<f64>,
     smoothing_length: f64,
     position: Position<f64>,
 ) -> Over<'a> {

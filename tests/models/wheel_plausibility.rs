@@ -9,7 +9,7 @@ const RAILS: [&str; 6] = ["uic60", "rail288", "avgHR", "siteb", "avglow", "en_ra
 
 const ROLLS: Velocity<f64> = Velocity { pitch: -43.48, ..ROLLING };
 
-type Prepared = (Box<Surface<f64>>, Warning);
+type Prepared = (Box<PreparedProfile<f64>>, Warning);
 
 /// A profile of the data whose coordinates are multiplied by factors.
 fn scaled(name: &str, [across, down]: [f64; 2]) -> Prepared {
@@ -20,7 +20,7 @@ fn scaled(name: &str, [across, down]: [f64; 2]) -> Prepared {
 }
 
 fn prepared(y: &[f64], z: &[f64]) -> Prepared {
-    let mut surface = zeroed::<Surface<f64>>();
+    let mut surface = zeroed::<PreparedProfile<f64>>();
     let warning = surface.prepare(y, z, 0.0, 0.0).unwrap();
     (surface, warning)
 }
@@ -33,7 +33,11 @@ fn drawn(end: f64, height: impl Fn(f64) -> f64) -> Prepared {
 }
 
 /// The warning of a wheel pressed 0.1 mm into a rail.
-fn on_rail(rail: &Surface<f64>, wheel: &Surface<f64>, pair: &WheelPair<f64>) -> Option<Warning> {
+fn on_rail(
+    rail: &PreparedProfile<f64>,
+    wheel: &PreparedProfile<f64>,
+    pair: &WheelPair<f64>,
+) -> Option<Warning> {
     let scene = Scene { strips: StripCount::Eight, ..scene(rail, wheel, pair) };
     let mut memory = zeroed::<Workspace<f64>>();
     let position = Position::default();
@@ -108,7 +112,7 @@ fn wheels_on_rails_are_told_what_is_implausible() {
     }
     let (wrong, _) = scaled("uic60", [1.0, -1.0]);
     assert_eq!(on_rail(&wrong, &wheel, &pair), None, "no load is carried by a rail upside down");
-    let none = zeroed::<Surface<f64>>();
+    let none = zeroed::<PreparedProfile<f64>>();
     assert_eq!(none.clone().prepare(&[], &[], 0.0, 0.0), Err(Error::Profile));
     let text = Error::NotPrepared.to_string();
     assert!(text.contains("kstrip_prepare_profile()"), "{text}");
@@ -150,14 +154,14 @@ fn coarse_profiles_are_smoothed_or_told() {
     let thinned = |every: usize, shape: &[f64], smoothing: f64| {
         let [y, z] = [&y, &z].map(|list| list.iter().step_by(every).copied().collect::<Vec<_>>());
         let z: Vec<f64> = z.iter().zip(shape).map(|(z, shape)| z + shape).collect();
-        let mut surface = zeroed::<Surface<f64>>();
+        let mut surface = zeroed::<PreparedProfile<f64>>();
         surface.prepare(&y, &z, 0.0, smoothing).unwrap();
         surface
     };
     let none = vec![0.0; y.len()];
     let pair = steel(0.46);
     let mut memory = zeroed::<Workspace<f64>>();
-    let mut pressed = |wheel: &Surface<f64>, lateral: f64| {
+    let mut pressed = |wheel: &PreparedProfile<f64>, lateral: f64| {
         let scene = scene(&rail, wheel, &pair);
         let position = Position { lateral, ..Position::default() };
         let (vertical, _) = scene.height_for_load(&position, 80e3, None, &mut memory).unwrap();

@@ -190,10 +190,19 @@ fn stiffness<F: Float>(scene: &Scene<F>, [lateral, vertical, yaw, roll]: [F; 4])
 /// their derivatives.
 #[test]
 fn derivatives_of_slight_pressures_are_those_of_double_precision() {
-    let narrow = |surface: &Surface<f64>| {
-        let Surface { y, z, cosine, sine, step, spacing, count, form } = *surface;
+    let narrow = |surface: &PreparedProfile<f64>| {
+        let PreparedProfile { y, z, cosine, sine, step, spacing, count, form } = *surface;
         let [y, z, cosine, sine] = [y, z, cosine, sine].map(|list| list.map(|x| x as f32));
-        Surface { y, z, cosine, sine, step: step as f32, spacing: spacing as f32, count, form }
+        PreparedProfile {
+            y,
+            z,
+            cosine,
+            sine,
+            step: step as f32,
+            spacing: spacing as f32,
+            count,
+            form,
+        }
     };
     let (rail, wheel) = (profile("wornhm", 0.0), profile("en_wheel_a", 0.0));
     let pair = WheelPair { smoothing_length: 2e-3, ..steel(0.46) };
@@ -221,7 +230,8 @@ fn derivatives_of_slight_pressures_are_those_of_double_precision() {
 #[test]
 fn derivatives_by_position_follow_the_shares_of_contacts() {
     let y: [f64; 200] = std::array::from_fn(|i| (i as f64 - 99.5) * 100e-6);
-    let (mut rail, mut wheel) = (zeroed::<Surface<f64>>(), zeroed::<Surface<f64>>());
+    let (mut rail, mut wheel) =
+        (zeroed::<PreparedProfile<f64>>(), zeroed::<PreparedProfile<f64>>());
     rail.prepare(&y, &y.map(|y| y * y / 0.6), 0.0, 0.0).unwrap();
     let bumps = y.map(|y| -(180e-6 + 0.008 * y) * ((y / 3.5e-3).powi(2) - 1.0).powi(2));
     wheel.prepare(&y, &bumps, 0.0, 0.0).unwrap();

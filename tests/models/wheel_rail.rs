@@ -14,7 +14,7 @@ pub(crate) fn rows(name: &str) -> Vec<Row> {
 }
 
 /// A profile of the data, turned about its origin.
-pub(crate) fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
+pub(crate) fn profile(name: &str, turn: f64) -> Box<PreparedProfile<f64>> {
     let [y, z] = points(name);
     let (sine, cosine) = turn.sin_cos();
     let turned =
@@ -25,8 +25,8 @@ pub(crate) fn profile(name: &str, turn: f64) -> Box<Surface<f64>> {
 
 /// A wheel, a rail, and memory.
 pub(crate) struct Stand {
-    rail: Box<Surface<f64>>,
-    wheel: Box<Surface<f64>>,
+    rail: Box<PreparedProfile<f64>>,
+    wheel: Box<PreparedProfile<f64>>,
     pub(crate) pair: WheelPair<f64>,
     model: Model,
     pub(crate) falling: Option<SlipFriction<f64>>,
@@ -35,8 +35,8 @@ pub(crate) struct Stand {
 
 impl Stand {
     pub(crate) fn new(
-        rail: Box<Surface<f64>>,
-        wheel: Box<Surface<f64>>,
+        rail: Box<PreparedProfile<f64>>,
+        wheel: Box<PreparedProfile<f64>>,
         wheel_radius: f64,
     ) -> Self {
         let (pair, model) = (steel(wheel_radius), Model::Strip);
@@ -659,7 +659,7 @@ fn smoothing_leaves_parabolas() {
     let across = |i: i32| 0.25e-3 * f64::from(i) + 0.06e-3 * f64::from(i * i * 7 % 3 - 1);
     let y: Vec<f64> = (-100..=100).map(across).collect();
     let z: Vec<f64> = y.iter().map(|y| y * y / 0.6).collect();
-    let mut smooth = zeroed::<Surface<f64>>();
+    let mut smooth = zeroed::<PreparedProfile<f64>>();
     smooth.prepare(&y, &z, 0.0, 2e-3).unwrap();
     let points = smooth.y.iter().zip(&smooth.z).take(smooth.count as usize);
     let inside: Vec<_> = points.filter(|(y, _)| y.abs() < 22e-3).collect();
@@ -743,7 +743,7 @@ fn derivatives_by_depth_are_those_of_double_precision() {
     let mut stand = Stand::new_profiles();
     let [rail, wheel] = ["uic60", "s1002"].map(|name| {
         let [y, z] = points(name).map(|list| list.iter().map(|&x| x as f32).collect::<Vec<_>>());
-        let mut surface = zeroed::<Surface<f32>>();
+        let mut surface = zeroed::<PreparedProfile<f32>>();
         surface.prepare(&y, &z, 0.0, 0.0).unwrap();
         surface
     });

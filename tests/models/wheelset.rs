@@ -14,8 +14,8 @@ type Ten = [f64; 10];
 
 /// Profiles and pairs of both sides, and memory.
 struct Stand {
-    rails: [Box<Surface<f64>>; 2],
-    wheels: [Box<Surface<f64>>; 2],
+    rails: [Box<PreparedProfile<f64>>; 2],
+    wheels: [Box<PreparedProfile<f64>>; 2],
     pairs: [WheelPair<f64>; 2],
     origins: [f64; 2],
     memory: Box<WheelsetWorkspace<f64>>,
@@ -36,7 +36,7 @@ fn at(lateral: f64, yaw: f64) -> Position<f64> {
 }
 
 impl Stand {
-    fn new(rail: Box<Surface<f64>>, wheel: Box<Surface<f64>>, origin: f64) -> Self {
+    fn new(rail: Box<PreparedProfile<f64>>, wheel: Box<PreparedProfile<f64>>, origin: f64) -> Self {
         let left = WheelPair { left: 1, ..steel(RADIUS) };
         Self {
             rails: [rail.clone(), rail],

@@ -33,8 +33,8 @@ use crate::ffi::support::*;
 ///         of any wheel.
 #[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
 pub unsafe extern "C" fn kstrip_wheels_on_rails(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
+    wheel: Option<&PreparedProfile<F>>,
     count: u32,
     pairs: *const WheelPair<F>,
     pair_stride: u32,
@@ -112,8 +112,8 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_heights_for_loads"))]
 pub unsafe extern "C" fn kstrip_heights_for_loads(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
+    wheel: Option<&PreparedProfile<F>>,
     count: u32,
     pairs: *const WheelPair<F>,
     pair_stride: u32,

@@ -41,7 +41,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
     points: u32,
     step: F,
     smoothing_length: F,
-    surface: Option<&mut Surface<F>>,
+    surface: Option<&mut PreparedProfile<F>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
     let (y, z) = unsafe { (input(y, points), input(z, points)) };
@@ -66,8 +66,8 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
 #[unsafe(export_name = symbol!("kstrip_touch"))]
 pub extern "C" fn kstrip_touch(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
+    wheel: Option<&PreparedProfile<F>>,
     wheel_radius: F,
     position: Option<&Position<F>>,
     reach: F,
@@ -213,8 +213,8 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ///         inputs; or a status of one of these functions.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
+    wheel: Option<&PreparedProfile<F>>,
     pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
     velocity: Option<&Velocity<F>>,
@@ -260,8 +260,8 @@ pub extern "C" fn kstrip_wheel_on_rail(
 ///         KSTRIP_ERROR_NORMAL_FORCE (support), or a status of kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
-    rail: Option<&Surface<F>>,
-    wheel: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
+    wheel: Option<&PreparedProfile<F>>,
     pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
     support: F,
@@ -281,8 +281,8 @@ pub extern "C" fn kstrip_height_for_load(
 }
 
 pub(super) fn scene_of<'a>(
-    rail: Option<&'a Surface<F>>,
-    wheel: Option<&'a Surface<F>>,
+    rail: Option<&'a PreparedProfile<F>>,
+    wheel: Option<&'a PreparedProfile<F>>,
     pair: Option<&'a WheelPair<F>>,
     friction: Option<&'a SlipFriction<F>>,
 ) -> Result<Scene<'a, F>, Error> {

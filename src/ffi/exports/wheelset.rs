@@ -23,7 +23,7 @@ const CIRCLE_FROM_BACK: F = 70e-3;
 ///         KSTRIP_ERROR_GAUGE (depth).
 #[unsafe(export_name = symbol!("kstrip_gauge_face"))]
 pub extern "C" fn kstrip_gauge_face(
-    rail: Option<&Surface<F>>,
+    rail: Option<&PreparedProfile<F>>,
     depth: F,
     face: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
@@ -274,7 +274,7 @@ unsafe fn on_track(
         let (set, track) = (given(set)?, given(track)?);
         // SAFETY: the promise of this function.
         let ([rail, other_rail], [wheel, other_wheel], [law, other_law]) = unsafe {
-            let both = |[right, left]: [*const Surface<F>; 2]| {
+            let both = |[right, left]: [*const PreparedProfile<F>; 2]| {
                 let right = given(right.as_ref())?;
                 Ok([right, left.as_ref().unwrap_or(right)])
             };
@@ -314,7 +314,7 @@ fn half_distance(set: &WheelsetParts<F>) -> Result<F, Error> {
 }
 
 /// The distance of a rail's origin from the middle of the track.
-fn origin_of(track: &Track<F>, given: F, rail: &Surface<F>) -> Result<(F, Warning), Error> {
+fn origin_of(track: &Track<F>, given: F, rail: &PreparedProfile<F>) -> Result<(F, Warning), Error> {
     Error::NotFinite.unless(given.is_finite_number())?;
     if given > 0.0 {
         return Ok((given, Warning::None));
