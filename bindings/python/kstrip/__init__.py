@@ -48,7 +48,8 @@ from ._bodies import (
     linear_coefficients,
     parameters_from_creepage,
 )
-from ._files import Profile, ProfileError, read_profile, write_profile
+from ._files import Profile, oriented, read_profile, read_profiles, write_profile
+from ._files_points import ProfileError, ProfileWarning
 from ._inputs import Model
 from ._library import constants, dtypes, lib, models, structures
 from ._patches import patch_from_contact, patch_from_profile, patch_from_strips, patch_summary
@@ -125,7 +126,7 @@ __all__ = [
     # patches of any shape
     "patch_from_profile", "patch_from_strips", "patch_from_contact", "patch_summary",
     # a wheel on a rail
-    "read_profile", "write_profile", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
+    "read_profile", "read_profiles", "oriented", "write_profile", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
     "height_for_load", "wheel_on_rail",
     # a wheelset on a track
     "Wheelset", "Track", "rail_motion", "curve", "gauge_face", "curve_motion", "wheelset_settle", "wheelset_on_track",
@@ -139,7 +140,7 @@ __all__ = [
     "Surface", "Velocity",
     "WheelContact", "WheelOnRail", "WheelPair", "WheelPosition", "WheelVelocity", "WheelsetByPosition", "WheelsetDerivatives",
     "WheelsetForces", "WheelsetOnTrack", "Wrench", "WrenchByPosition", "WrenchDerivatives",
-    "KstripError", "KstripWarning", "ProfileError",
+    "KstripError", "KstripWarning", "ProfileError", "ProfileWarning",
     # the C library
     "lib", "constants", "structures", "dtypes", "models", "classes", "__version__",
 ]

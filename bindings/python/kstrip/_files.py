@@ -1,32 +1,26 @@
-"""Profile files: SIMPACK (.prw, .prr), MiniProf (.whl, .ban), columns of text and CSV."""
+"""Profile files: reading them the right way round, and writing them."""
 
 from __future__ import annotations
 
 import dataclasses
 import os
 import pathlib
-import re
-from typing import Any, Callable, Optional, Sequence, Union
+import warnings
+from typing import Any, Iterable, Optional, Sequence, Union
 
 import numpy as np
-from numpy.typing import DTypeLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike
 
+from ._files_formats import kind_of_extension, read_points
+from ._files_points import UNITS, Array, Points, ProfileError, ProfileWarning, Wanted
+from ._files_shape import DECISIVE, WEAK, Evidence, Shape, shape_of
+from ._files_table import as_missing
 from ._types import Surface
 from ._wheel import prepare_profile
 
-Array = NDArray[np.float64]
-#: metres per unit
-_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
-_KINDS = {".prw": "wheel", ".whl": "wheel", ".wheel": "wheel", ".prr": "rail", ".ban": "rail", ".rail": "rail"}
-_COMMENT = "#!%*/"
-
-
-class ProfileError(ValueError):
-    """A profile file that cannot be read; `path`, and `line` where one is at fault."""
-
-    def __init__(self, path: Any, line: Optional[int], message: str):
-        super().__init__(f"{path}{'' if line is None else f', line {line}'}: {message}")
-        self.path, self.line = str(path), line
+#: Distance of the running circle from the flange back [m].
+_FLANGE_BACK = 0.070
+Path = Union[str, "os.PathLike[str]"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
@@ -35,6 +29,7 @@ class Profile:
 
     y, z: in metres, shape (n,), toward larger y, z down; the flange of a wheel and the gauge side of a rail are at small y.
     kind: "wheel" or "rail". name: that of the file. notes: what the file contained and what was changed, a sentence each.
+    source: the path of the file.
     """
 
     y: Array
@@ -42,6 +37,7 @@ class Profile:
     kind: str
     name: str = ""
     notes: tuple[str, ...] = ()
+    source: str = ""
 
     def prepare(self, step: float = 0.0, smoothing_length: float = 0.0, dtype: DTypeLike = np.float64) -> Surface:
         """prepare_profile() of the points; smoothing_length [m]: 2 to 4 mm suit measured profiles."""
@@ -52,222 +48,173 @@ class Profile:
         return "\n  ".join((f"Profile of a {self.kind}, {self.y.size} points, {span}{self.name and f' ({self.name})'}", *self.notes))
 
 
-@dataclasses.dataclass
-class _Points:
-    """What a file says: points in its own units, and what its header says."""
-
-    format: str
-    y: list[float] = dataclasses.field(default_factory=list)
-    z: list[float] = dataclasses.field(default_factory=list)
-    #: of each point
-    line: list[int] = dataclasses.field(default_factory=list)
-    notes: list[str] = dataclasses.field(default_factory=list)
-    #: metres per unit, and how that is known
-    unit: Optional[float] = None
-    unit_source: str = ""
-    kind: Optional[str] = None
-    #: done after the change of units, in this order
-    shift: tuple[float, float] = (0.0, 0.0)
-    turn: float = 0.0
-    mirror: tuple[bool, bool] = (False, False)
-
-    def add(self, y: float, z: float, line: int) -> None:
-        self.y.append(y)
-        self.z.append(z)
-        self.line.append(line)
-
-
-def read_profile(path: Union[str, os.PathLike[str]], *, kind: Optional[str] = None, units: Union[str, float, None] = None,
-                 mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, shift: Sequence[float] = (0.0, 0.0)) -> Profile:
+def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, float, None] = None,
+                 mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, shift: Sequence[float] = (0.0, 0.0),
+                 columns: Optional[Sequence[Union[int, str]]] = None, skip: int = 0,
+                 missing: Union[None, str, float, Sequence[Union[str, float]]] = None, decimal: Optional[str] = None) -> Profile:
     """Reads a profile file: a wheel or a rail the right way round, in metres.
 
-    Formats: SIMPACK and CONTACT (.prw, .prr), MiniProf (.whl, .ban), columns y and z of text, slices among them, and CSV. Units,
-    kind, order, side and direction of z are found in the header or from the shape, and told in `notes`.
+    Formats: SIMPACK and CONTACT (.prw, .prr), MiniProf (.whl, .ban, .mpt), Vampire (.whe, .rai), DXF (with the package ezdxf), JSON
+    with y and z, and tables of text and CSV. The convention of the format decides which way the points stand. If it has none, or `kind`
+    contradicts it, the shape of the tread or of the head decides. `notes` say what was found and changed.
 
     kind: "wheel" or "rail"; None: as header, extension or shape say.
-    units: of the file: "mm", "m", "in" or metres per unit; None: as header or size say.
-    mirror_y, mirror_z: whether to change the signs of the file's y and z; None: as the shape says: the flange of a wheel reaches
-        below its tread, the flange and the gauge side come to small y. The gauge side of a rail is the one farther from its top;
-        of a symmetric rail y stays as it is.
+    units: of the file: "mm", "m", "cm", "in" or metres per unit; None: as header or size say.
+    mirror_y, mirror_z: whether to change the signs of the file's y and z; None: as convention or shape say. The gauge side of a rail is the
+        one farther from its top; of a symmetric rail y stays as it is.
     shift: added at the end [m, m]. y = 0 of a wheel is its running circle, z = 0 the height of its nominal radius.
-    Raises ProfileError with file and line for what cannot be read, OSError for a file that is not there.
+    columns: the columns of y and z in a table, as numbers from 0 or as names; None: the columns that are named y and z, or the only two.
+    skip: number of lines before a table. missing: a value or several, such as -9999 or "NaN", whose lines are left out.
+    decimal: "." or ","; None: as the table says.
+    Raises ProfileError with file and line for what cannot be read, OSError for a file that is not there. Warns with ProfileWarning if the
+    evidence is weak, or if the shape contradicts the file.
 
     >>> wheel = kstrip.read_profile("s1002.prw")
     >>> wheel.kind, wheel.y.shape, wheel.notes
     >>> surface = wheel.prepare()
     """
-    file = pathlib.Path(path)
+    wanted = _wanted(kind, units, columns, skip, missing, decimal)
+    return _profiles([_points(path, wanted)], kind, units, mirror_y, mirror_z, shift)[0]
+
+
+def read_profiles(paths: Iterable[Path], *, kind: Optional[str] = None, units: Union[str, float, None] = None,
+                  mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, shift: Sequence[float] = (0.0, 0.0),
+                  columns: Optional[Sequence[Union[int, str]]] = None, skip: int = 0,
+                  missing: Union[None, str, float, Sequence[Union[str, float]]] = None, decimal: Optional[str] = None) -> list[Profile]:
+    """Reads a series of files of one kind, such as the slices of a crossing or a wheel that was measured again and again.
+
+    As read_profile(), but units, kind, side and direction of z are decided once, from all of them together.
+
+    >>> slices = kstrip.read_profiles(sorted(pathlib.Path("crossing").glob("*.txt")), kind="rail")
+    """
+    wanted = _wanted(kind, units, columns, skip, missing, decimal)
+    return _profiles([_points(path, wanted) for path in paths], kind, units, mirror_y, mirror_z, shift)
+
+
+def oriented(y: ArrayLike, z: ArrayLike, *, kind: Optional[str] = None, mirror_y: Optional[bool] = None,
+             mirror_z: Optional[bool] = None, name: str = "") -> Profile:
+    """A profile from arrays [m], in their order along the profile, the right way round by the shape of its tread or head.
+
+    As read_profile() of a table. `notes` lists what was changed.
+
+    >>> rail = kstrip.oriented(1e-3 * y, 1e-3 * height, kind="rail")
+    """
+    _wanted(kind, None, None, 0, None, None)
+    across, down = np.array(y, float), np.array(z, float)
+    if across.ndim != 1 or across.shape != down.shape:
+        raise ValueError(f"y and z have one dimension and one size: y {across.shape}, z {down.shape}")
+    found = Points(pathlib.Path(name or "arrays"), "arrays", across, down, unit=1.0, unit_source="of arrays")
+    _check(found)
+    made = _profiles([found], kind, None, mirror_y, mirror_z, (0.0, 0.0))[0]
+    return dataclasses.replace(made, name=name, source="")
+
+
+def _wanted(kind: Optional[str], units: Union[str, float, None], columns: Optional[Sequence[Union[int, str]]], skip: int,
+            missing: Union[None, str, float, Sequence[Union[str, float]]], decimal: Optional[str]) -> Wanted:
+    """The arguments, checked."""
     if kind not in (None, "wheel", "rail"):
         raise ValueError(f"kind is 'wheel', 'rail' or None, not {kind!r}")
-    lines = file.read_text(encoding="utf-8-sig", errors="replace").splitlines()
-    found = _format_of(lines)(file, lines)
-    y, z = np.array(found.y), np.array(found.z)
-    if y.size < 4:
-        raise ProfileError(file, None, f"a profile needs 4 points, and this file has {y.size}")
-    bad = ~(np.isfinite(y) & np.isfinite(z))
+    if isinstance(units, str) and units not in UNITS:
+        raise ValueError(f"units are one of {', '.join(UNITS)} or metres per unit, not {units!r}")
+    if units is not None and not isinstance(units, str) and not (0 < float(units) < np.inf):
+        raise ValueError(f"metres per unit must be positive, not {units!r}")
+    if columns is not None and (isinstance(columns, str) or len(columns) != 2):
+        raise ValueError(f"columns are two numbers from 0, or two names, not {columns!r}")
+    if decimal not in (None, ".", ","):
+        raise ValueError(f"decimal is '.' or ',', not {decimal!r}")
+    if skip < 0:
+        raise ValueError(f"skip is a number of lines, not {skip!r}")
+    return Wanted(None if columns is None else (columns[0], columns[1]), int(skip), as_missing(missing), decimal)
+
+
+def _points(path: Path, wanted: Wanted) -> Points:
+    file = pathlib.Path(path)
+    found = read_points(file, file.read_bytes(), wanted)
+    _check(found)
+    return found
+
+
+def _check(found: Points) -> None:
+    if found.y.size < 4:
+        raise found.error(None, f"a profile needs 4 points, and this file has {found.y.size}")
+    bad = ~(np.isfinite(found.y) & np.isfinite(found.z))
     if bad.any():
-        raise ProfileError(file, found.line[int(np.argmax(bad))], "a coordinate is not a finite number")
-    notes = [f"{found.format}, {y.size} points", *found.notes]
-    unit = _unit(units, found, y, z, notes)
-    y, z = _of_header(found, y * unit, z * unit, notes)
-    kind = _kind(kind, found.kind, file.suffix.lower(), y, z, notes)
-    y, z = _turned(kind, mirror_y, mirror_z, y, z, notes)
-    keep = np.concatenate(([True], np.hypot(np.diff(y), np.diff(z)) > 1e-9))
-    if not keep.all():
-        notes.append(f"{np.count_nonzero(~keep)} points that coincide with the one before them are left out")
-    y, z = y[keep] + float(shift[0]), z[keep] + float(shift[1])
-    if any(shift):
-        notes.append(f"moved by {1e3 * shift[0]:g} mm in y and {1e3 * shift[1]:g} mm in z, as asked")
-    return Profile(y, z, kind, file.name, tuple(notes))
-
-
-# Formats: lines to points
-
-
-def _format_of(lines: list[str]) -> Callable[[pathlib.Path, list[str]], _Points]:
-    head = [line.strip() for line in lines[:400] if line.strip()]
-    if any(re.match(r"(header|spline|point)\.begin\b", line) for line in head):
-        return _simpack
-    return _miniprof if head and re.match(r"[A-Za-z]\w*\s*=", head[0]) else _columns
-
-
-def _numbers(path: pathlib.Path, number: int, words: Sequence[str], columns: tuple[int, int]) -> tuple[float, float]:
-    if len(words) <= max(columns):
-        raise ProfileError(path, number, f"two numbers are needed, and this line has {len(words)} columns")
-    try:
-        return float(words[columns[0]].replace("D", "E").replace("d", "e")), float(words[columns[1]].replace("D", "E").replace("d", "e"))
-    except ValueError as error:
-        raise ProfileError(path, number, f"numbers are needed: {error}") from None
-
-
-def _simpack(path: pathlib.Path, lines: list[str]) -> _Points:
-    found, section = _Points("SIMPACK profile"), [""]
-    keys: dict[str, float] = {}
-    for number, line in enumerate(lines, 1):
-        text = re.split(r"[!%]", line, maxsplit=1)[0].strip()
-        if not text:
-            continue
-        if (mark := re.fullmatch(r"(\w+)\.(begin|end)", text)) is not None:
-            if mark[2] == "begin":
-                section.append(mark[1])
-            elif section.pop() != mark[1]:
-                raise ProfileError(path, number, f"{mark[1]}.end without {mark[1]}.begin")
-        elif section[-1] == "point":
-            y, z = _numbers(path, number, text.split(), (0, 1))
-            found.add(y, z, number)
-        elif (pair := re.fullmatch(r"([\w.]+)\s*=\s*(.*)", text)) is None:
-            raise ProfileError(path, number, f"`keyword = value` is needed, not {text!r}")
-        elif section[-1] == "header" and pair[1] == "type":
-            found.kind = {"0": "rail", "1": "wheel"}.get(pair[2].strip())
-        elif pair[1] in ("units.len.f", "units.ang.f", "shift.y", "shift.z", "rotate", "mirror.y", "mirror.z"):
-            try:
-                keys[pair[1]] = float(pair[2])
-            except ValueError:
-                raise ProfileError(path, number, f"{pair[1]} is not a number: {pair[2]!r}") from None
-    if len(section) > 1:
-        raise ProfileError(path, len(lines), f"the file ends within {section[-1]}.begin")
-    length = keys.get("units.len.f", 1.0)
-    if not (length > 0 and keys.get("units.ang.f", 1.0) > 0):
-        raise ProfileError(path, None, "units.len.f and units.ang.f must be positive")
-    # Factors are user's units per metre and per radian.
-    found.unit, found.unit_source = 1.0 / length, f"units.len.f = {length:g}"
-    found.shift = keys.get("shift.y", 0.0) / length, keys.get("shift.z", 0.0) / length
-    found.turn = keys.get("rotate", 0.0) / keys.get("units.ang.f", 1.0)
-    found.mirror = bool(keys.get("mirror.y")), bool(keys.get("mirror.z"))
-    return found
-
-
-def _miniprof(path: pathlib.Path, lines: list[str]) -> _Points:
-    found, header, columns = _Points("MiniProf profile", unit=1e-3, unit_source="MiniProf's"), {}, (0, 1)
-    marked = 0
-    for number, line in enumerate(lines, 1):
-        text = line.strip()
-        if not text or text[0] in _COMMENT:
-            continue
-        if not found.y and not marked and (pair := re.match(r"([A-Za-z]\w*)\s*=(.*)", text)) is not None:
-            header[pair[1].lower()] = pair[2].strip()
-            if pair[1].lower() == "columndef":
-                names = [name.strip().upper() for name in pair[2].split(",")]
-                if "X" not in names or "Y" not in names:
-                    raise ProfileError(path, number, f"ColumnDef has no X and Y: {pair[2]}")
-                columns = names.index("X"), names.index("Y")
-        elif text.startswith('"'):
-            marked += 1
-        else:
-            y, z = _numbers(path, number, re.split(r"[\s;,]+", text), columns)
-            found.add(y, z, number)
-    if marked:
-        found.notes.append(f'{marked} points that the file marks by a leading " are left out')
-    promised = header.get("xypoints", "")
-    if promised.isdigit() and int(promised) != len(found.y) + marked:
-        raise ProfileError(path, len(lines), f"XYPoints promises {promised} points, and the file has {len(found.y) + marked}")
-    return found
-
-
-def _columns(path: pathlib.Path, lines: list[str]) -> _Points:
-    found, columns, names = _Points("columns of numbers"), (0, 1), ""
-    for number, line in enumerate(lines, 1):
-        text = line.split("#", 1)[0].strip()
-        if not text or text[0] in _COMMENT:
-            continue
-        # A decimal comma goes with semicolons.
-        words = [w for w in re.split(r"[;\t]", text.replace(",", "."))] if ";" in text else re.split(r"\s*,\s*|\s+", text)
-        if not found.y and not _is_number(words[0]):
-            if names:
-                raise ProfileError(path, number, f"numbers are needed, not {text!r}")
-            names, columns = text, _named([word.strip().strip('"') for word in re.split(r"[;,\t]", text)] if re.search(r"[;,\t]", text) else words)
-            continue
-        y, z = _numbers(path, number, [word.strip() for word in words], columns)
-        found.add(y, z, number)
-    if names:
-        found.notes.append(f"columns {columns[0] + 1} and {columns[1] + 1} of {names!r}")
-        unit = re.search(r"(?<![A-Za-z])(mm|cm|in|m)(?![A-Za-z])", names)
-        if unit is not None:
-            found.unit, found.unit_source = _UNITS[unit[1]], "the names of the columns say so"
-    return found
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word.replace("D", "E"))
-    except ValueError:
-        return False
-    return True
-
-
-def _named(names: Sequence[str]) -> tuple[int, int]:
-    """The columns of y and z by their names, else the first two."""
-    letters = [re.split(r"[^A-Za-z]", name.strip().lower(), maxsplit=1)[0] for name in names]
-    for pair in (("y", "z"), ("x", "z"), ("x", "y"), ("lateral", "vertical")):
-        if set(pair) <= set(letters):
-            return letters.index(pair[0]), letters.index(pair[1])
-    return 0, 1
+        raise found.error(found.line_of(int(np.argmax(bad))), "a coordinate is not a finite number")
+    if max(np.abs(found.y).max(), np.abs(found.z).max()) > 1e12:
+        raise found.error(None, "a coordinate is larger than 1e12")
 
 
 # What the points are
 
 
-def _unit(asked: Union[str, float, None], found: _Points, y: Array, z: Array, notes: list[str]) -> float:
+def _profiles(series: list[Points], kind: Optional[str], units: Union[str, float, None], mirror_y: Optional[bool], mirror_z: Optional[bool],
+              shift: Sequence[float]) -> list[Profile]:
+    """Profiles of a series of files; units, kind and direction are decided once."""
+    width = max((float(max(np.ptp(found.y), np.ptp(found.z))) for found in series), default=0.0)
+    placed = []
+    for found in series:
+        notes = [f"{found.format}, {found.y.size} points", *found.notes]
+        unit = _unit(units, found, width, notes)
+        y, z = _of_header(found, found.y * unit, found.z * unit, notes)
+        y, z = _head_of_outline(found, kind, y, z, notes)
+        placed.append((found, y, z, notes))
+    shapes = [shape_of(y, z) for _, y, z, _ in placed]
+    if not shapes:
+        return []
+    shape = shapes[0]
+    for other in shapes[1:]:
+        shape = shape + other
+    made = []
+    for found, y, z, notes in placed:
+        doubts = list(found.warnings)
+        made.append(_profile(found, y, z, notes, doubts, shape, len(series) > 1, kind, mirror_y, mirror_z, shift))
+        for doubt in doubts:
+            warnings.warn(f"{found.path}: {doubt}", ProfileWarning, stacklevel=3)
+    return made
+
+
+def _profile(found: Points, y: Array, z: Array, notes: list[str], doubts: list[str], shape: Shape, is_series: bool, kind: Optional[str],
+             mirror_y: Optional[bool], mirror_z: Optional[bool], shift: Sequence[float]) -> Profile:
+    kind, has_convention = _kind(kind, found, shape, notes, doubts)
+    y, z = _turned(kind, has_convention, shape, mirror_y, mirror_z, y, z, notes, doubts)
+    if is_series:
+        notes.append("kind, side and direction of z are those of the series")
+    if kind == "wheel":
+        y, z = _at_running_circle(found, any(shift), y, z, notes, doubts)
+    if not shape.is_line:
+        doubts.append("no line follows the points: they scatter, turn back or belong to two profiles")
+    keep = np.concatenate(([True], np.hypot(np.diff(y), np.diff(z)) > 1e-9))
+    if np.count_nonzero(keep) < 4:
+        raise found.error(None, f"a profile needs 4 points, and this file has {np.count_nonzero(keep)} at different places")
+    if not keep.all():
+        notes.append(f"{np.count_nonzero(~keep)} points that coincide with the one before them are left out")
+    y, z = y[keep] + float(shift[0]), z[keep] + float(shift[1])
+    if any(shift):
+        notes.append(f"moved by {1e3 * shift[0]:g} mm in y and {1e3 * shift[1]:g} mm in z, as asked")
+    notes.extend(doubt for doubt in doubts if doubt not in notes)
+    return Profile(np.ascontiguousarray(y), np.ascontiguousarray(z), kind, found.path.name, tuple(notes), str(found.path))
+
+
+def _unit(asked: Union[str, float, None], found: Points, width: float, notes: list[str]) -> float:
     """Metres per unit."""
     if asked is not None:
-        if isinstance(asked, str) and asked not in _UNITS:
-            raise ValueError(f"units are one of {', '.join(_UNITS)} or metres per unit, not {asked!r}")
-        unit, source = _UNITS[asked] if isinstance(asked, str) else float(asked), "as asked"
-        if not (0 < unit < np.inf):
-            raise ValueError(f"metres per unit must be positive, not {asked!r}")
+        unit, source = UNITS[asked] if isinstance(asked, str) else float(asked), "as asked"
     elif found.unit is not None:
         unit, source = found.unit, found.unit_source
     else:
         # Profiles are 30 to 250 mm wide: 0.03 to 0.25 m, 1.2 to 10 in
-        width = max(np.ptp(y), np.ptp(z))
-        unit, source = next((_UNITS[name] for name, most in (("m", 0.6), ("in", 12.0)) if width <= most), 1e-3), f"by the width of {width:g}"
-    name = next((name for name, factor in _UNITS.items() if np.isclose(factor, unit, rtol=1e-12)), f"{unit:g} m")
+        unit, source = next((UNITS[name] for name, most in (("m", 0.6), ("in", 12.0)) if width <= most), 1e-3), f"by the width of {width:g}"
+        if width > 2000.0:
+            raise found.error(None, f"the profile is {width:g} units wide: units= says what they are")
+    name = next((name for name, factor in UNITS.items() if np.isclose(factor, unit, rtol=1e-12)), f"{unit:g} m")
     notes.append(f"units: {name}, {source}")
+    if asked is None and found.unit is None and name == "in":
+        found.warnings.append(f"the units are taken as inches, by the width of {width:g}; units= says what they are")
     return unit
 
 
-def _of_header(found: _Points, y: Array, z: Array, notes: list[str]) -> tuple[Array, Array]:
-    """Shift, turn and mirrors that a SIMPACK file requests."""
+def _of_header(found: Points, y: Array, z: Array, notes: list[str]) -> tuple[Array, Array]:
+    """Shift, turn and mirrors that a file requests."""
     if any(found.shift) or found.turn or any(found.mirror):
         notes.append(f"the header's shift ({found.shift[0]:g}, {found.shift[1]:g}) m, turn {found.turn:g} rad and mirrors {found.mirror} are applied")
     y, z = y + found.shift[0], z + found.shift[1]
@@ -276,84 +223,138 @@ def _of_header(found: _Points, y: Array, z: Array, notes: list[str]) -> tuple[Ar
     return -y if found.mirror[0] else y, -z if found.mirror[1] else z
 
 
-def _kind(asked: Optional[str], header: Optional[str], extension: str, y: Array, z: Array, notes: list[str]) -> str:
-    for kind, source in ((asked, "as asked"), (header, "by its header"), (_KINDS.get(extension), f"by its extension {extension}")):
-        if kind is not None:
-            notes.append(f"{kind}, {source}")
-            return kind
-    tip, _, inside = _flange(y, z)
-    position = (y[tip] - y.min()) / np.ptp(y)
-    if inside:
-        kind = "wheel" if min(position, 1 - position) < 0.25 else "rail"
-    else:
-        # Without the tip of a flange: a rail's head is at most 80 mm wide, and both of its ends lie on one side of its middle.
-        ends = np.array([z[0], z[-1]]) - np.interp(0.5 * (y.min() + y.max()), *_ascending(y, z))
-        kind = "rail" if np.ptp(y) < 0.09 or ends.prod() > 0 and abs(ends).min() > 0.2 * abs(ends).max() else "wheel"
+def _head_of_outline(found: Points, kind: Optional[str], y: Array, z: Array, notes: list[str]) -> tuple[Array, Array]:
+    """The head of a rail whose outline is closed: the end that is narrower near its top, as far as it widens."""
+    height = float(np.ptp(z))
+    is_closed = np.hypot(y[0] - y[-1], z[0] - z[-1]) < 0.02 * height and height > 0.25 * float(np.ptp(y)) and y.size > 8
+    if not is_closed or (kind or found.kind) == "wheel":
+        return y, z
+    near = 0.03 * height
+    widths = {sign: np.ptp(y[sign * z <= np.min(sign * z) + near]) for sign in (1, -1)}
+    sign = min(widths, key=lambda s: float(widths[s]))
+    # Begin at the other end, so that the head is in one piece
+    start = int(np.argmax(sign * z))
+    y, z = np.roll(y[:-1] if y[0] == y[-1] and z[0] == z[-1] else y, -start), np.roll(z[:-1] if y[0] == y[-1] and z[0] == z[-1] else z, -start)
+    top = int(np.argmin(sign * z))
+    left = right = top
+    for step in (1, -1):
+        at, farthest = top, top
+        direction = np.sign(y[(top + 3 * step) % y.size] - y[top]) or 1.0
+        while 0 < at < y.size - 1:
+            at += step
+            if direction * (y[at] - y[farthest]) >= -1e-6:
+                farthest = at
+            elif direction * (y[farthest] - y[at]) > 1e-3 or sign * (z[at] - z[top]) > 0.5 * height:
+                break
+        left, right = (left, farthest) if step > 0 else (farthest, right)
+    notes.append(f"the outline is closed: {right - left + 1} points of its head are taken")
+    return y[left : right + 1], z[left : right + 1]
+
+
+def _kind(asked: Optional[str], found: Points, shape: Shape, notes: list[str], doubts: list[str]) -> tuple[str, bool]:
+    """Wheel or rail, and whether the convention of the format holds for it."""
+    extension = found.path.suffix.lower()
+    by_extension = kind_of_extension(extension)
+    if asked is not None:
+        said = found.kind or by_extension
+        if said not in (None, asked):
+            doubts.append(f"{asked}, as asked, but the file is that of a {said}: the shape says how it stands")
+        notes.append(f"{asked}, as asked")
+        return asked, found.has_convention and said in (None, asked)
+    if found.kind is not None and by_extension not in (None, found.kind):
+        kind = "wheel" if shape.is_wheel.value > 0 else "rail"
+        doubts.append(f"the header says {found.kind} and the extension {by_extension}: {kind}, by its shape; kind= says which")
+        return kind, False
+    if found.kind is not None or by_extension is not None:
+        kind = found.kind or by_extension or "rail"
+        notes.append(f"{kind}, {found.kind_source if found.kind else f'by its extension {extension}'}")
+        return kind, found.has_convention
+    kind = "wheel" if shape.is_wheel.value > 0 else "rail"
     notes.append(f"{kind}, by its shape")
-    return kind
+    if shape.is_wheel.strength < WEAK:
+        doubts.append(f"the shape hardly says whether this is a wheel or a rail; taken as a {kind}, and kind= says which")
+    return kind, found.has_convention
 
 
-def _flange(y: Array, z: Array) -> tuple[int, int, bool]:
-    """The point of a wheel's flange that is farthest from its tread; 1 where that is at larger z, -1 at smaller; whether it is a tip."""
-    middle, best = np.median(z), []
-    for sign in (1, -1):
-        tip = int(np.argmax(sign * z))
-        # A chamfer of the rim is extreme at the end of the profile, a flange before it.
-        inside = min(sign * (z[tip] - z[0]), sign * (z[tip] - z[-1])) > 2e-4
-        best.append((inside and sign * (z[tip] - middle) > 0.01, sign * (z[tip] - middle), tip, sign))
-    inside, _, tip, sign = max(best)
-    return tip, sign, bool(inside)
-
-
-def _turned(kind: str, mirror_y: Optional[bool], mirror_z: Optional[bool], y: Array, z: Array, notes: list[str]) -> tuple[Array, Array]:
+def _turned(kind: str, has_convention: bool, shape: Shape, mirror_y: Optional[bool], mirror_z: Optional[bool], y: Array, z: Array,
+            notes: list[str], doubts: list[str]) -> tuple[Array, Array]:
     """z down, the flange or the gauge side at small y, points toward larger y."""
-    if y[0] > y[-1]:
-        y, z = y[::-1], z[::-1]
-        notes.append("order: the points ran toward smaller y and are reversed")
-    upward = _flange(y, z)[1] < 0 if kind == "wheel" else 0.5 * (z[0] + z[-1]) < np.interp(0.5 * (y[0] + y[-1]), *_ascending(y, z))
-    if mirror_z if mirror_z is not None else upward:
+    down = shape.wheel_down if kind == "wheel" else shape.rail_down
+    upward = mirror_z if mirror_z is not None else _is_upward(kind, has_convention, shape, down, notes, doubts)
+    if upward:
         z = -z
         notes.append("z: it pointed up and is turned" if mirror_z is None else "z: turned as asked")
-    side = _flange_side(y, z) if kind == "wheel" else _gauge_side(y, z)
-    if side == 0 and mirror_y is None:
-        notes.append("side: this rail is as good as symmetric; y is taken as it is")
-    if mirror_y if mirror_y is not None else side > 0:
-        y, z = -y[::-1], z[::-1]
+        # A file against its format in one direction may be so in the other
+        has_convention = has_convention and mirror_z is not None
+    side = shape.flange_left if kind == "wheel" else shape.gauge_left[int(upward)]
+    heads = shape.heads[int(upward)]
+    if kind == "wheel" and mirror_z is not None and upward == (down.value >= 0):
+        side = Evidence()
+    mirrored = mirror_y if mirror_y is not None else _is_mirrored(kind, has_convention, side, heads, shape, notes, doubts)
+    if mirrored:
+        y = -y
         feature = "flange" if kind == "wheel" else "gauge side"
         notes.append(f"side: the {feature} was at large y, and y is mirrored" if mirror_y is None else "side: y is mirrored as asked")
-    if kind == "wheel" and (tip := y[int(np.argmax(z))]) > -0.02:
-        notes.append(f"y = 0 is not the running circle: the flange's tip is at y = {1e3 * tip:.1f} mm; `shift` moves it")
-    return np.ascontiguousarray(y), np.ascontiguousarray(z)
+    if y[0] > y[-1]:
+        y, z = y[::-1], z[::-1]
+        if not mirrored:
+            notes.append("order: the points ran toward smaller y and are reversed")
+    elif mirrored:
+        notes.append("order: the points ran toward smaller y and are reversed")
+    return y, z
 
 
-def _flange_side(y: Array, z: Array) -> int:
-    return 1 if y[int(np.argmax(z))] > 0.5 * (y.min() + y.max()) else -1
+def _is_upward(kind: str, has_convention: bool, shape: Shape, down: Evidence, notes: list[str], doubts: list[str]) -> bool:
+    if has_convention:
+        # A rail is overruled if it has a head upside down and none as it stands.
+        clear = down.strength >= DECISIVE and (shape.heads == (0, 1) if kind == "rail" else shape.is_wheel.strength >= 1.0 and shape.is_wheel.value > 0)
+        if down.value < 0 and clear:
+            doubts.append("z points up by the shape, against the format; mirror_z=False keeps it")
+            return True
+        notes.append("z: down, by the format")
+        return False
+    if down.strength < WEAK:
+        doubts.append("the shape hardly says whether z points down; it is taken as it stands, and mirror_z= says which")
+        return False
+    return down.value < 0
 
 
-def _ascending(y: Array, z: Array) -> tuple[Array, Array]:
-    order = np.argsort(y, kind="stable")
-    return y[order], z[order]
+def _is_mirrored(kind: str, has_convention: bool, side: Evidence, heads: int, shape: Shape, notes: list[str], doubts: list[str]) -> bool:
+    if has_convention:
+        if kind == "wheel" and side.value < 0 and side.strength >= DECISIVE and shape.is_wheel.value > 0 and shape.is_wheel.strength >= 1.0:
+            doubts.append("the flange is at large y, against the format; mirror_y=False keeps it")
+            return True
+        notes.append(f"side: the {'flange' if kind == 'wheel' else 'gauge side'} is at small y, by the format")
+        return False
+    if side.strength >= WEAK and heads <= 1:
+        return side.value < 0
+    if kind == "wheel":
+        notes.append("side: there is no flange; y is taken as it is")
+    elif heads > 1:
+        if side.strength >= WEAK:
+            doubts.append("side: this rail has more than one head; y is taken as it is, and mirror_y= says which")
+        else:
+            doubts.append("side: the head is as good as symmetric, and there is another beside it; y is taken as it is, and mirror_y= says which")
+    else:
+        notes.append("side: this rail is as good as symmetric; y is taken as it is")
+    return False
 
 
-def _gauge_side(y: Array, z: Array) -> int:
-    """-1: the gauge side is at small y, 1: at large y, 0: the rail is symmetric. Rails lean toward the gauge side, and they wear there:
-    their top lies away from it."""
-    top = int(np.argmin(z))
-
-    def reach(depth: float) -> tuple[float, ...]:
-        level = z[top] + depth
-        below = np.flatnonzero(z > level)
-        left, right = below[below < top], below[below > top]
-        if not left.size or not right.size:
-            return y[0], y[-1]
-        a, b = left[-1], right[0]
-        return tuple(y[i] + (level - z[i]) * (y[j] - y[i]) / (z[j] - z[i]) for i, j in ((a, a + 1), (b, b - 1)))
-
-    lowest = min(z[0], z[-1]) - z[top]
-    centre = 0.5 * sum(reach(min(1e-4, 0.1 * lowest)))
-    left, right = reach(min(0.014, 0.9 * lowest))
-    difference = (centre - left) - (right - centre)
-    return 0 if abs(difference) < 0.04 * (right - left) else -1 if difference > 0 else 1
+def _at_running_circle(found: Points, is_shifted: bool, y: Array, z: Array, notes: list[str], doubts: list[str]) -> tuple[Array, Array]:
+    """y from the running circle, and z from its height, for a wheel that is measured from its flange back."""
+    tip = float(y[int(np.argmax(z))])
+    if np.ptp(y) < 0.08 or np.ptp(z) < 0.015 or tip <= -0.02:
+        return y, z
+    if found.from_flange_back and 0.0 < tip < 0.035:
+        y = y - _FLANGE_BACK
+        order = np.argsort(y, kind="stable")
+        tread = order[y[order] > y[int(np.argmax(z))]]
+        zero = float(np.interp(0.0, y[tread], z[tread]))
+        notes.append(f"y = 0 was the flange back: moved by {-1e3 * _FLANGE_BACK:g} mm to the running circle, and z by {-1e3 * zero:.3f} mm to zero there")
+        return y, z - zero
+    message = f"y = 0 is not the running circle: the flange's tip is at y = {1e3 * tip:.1f} mm; `shift` moves it"
+    (notes if is_shifted else doubts).append(message)
+    return y, z
 
 
 # Writing
@@ -363,12 +364,14 @@ def write_profile(path: Union[str, os.PathLike[str]], profile: Profile) -> None:
     """Writes a profile that read_profile() reads again, in the format of the extension, in mm to the nanometre.
 
     .prw and .prr: SIMPACK; .whl and .ban: MiniProf; .csv: with the names y_mm, z_mm; any other: two columns.
-    The flange or the gauge side is at small y, and z points down.
+    The flange or the gauge side is at small y, and z points down. A .whl file has y as the profile has it, and its header says so by
+    `Origin=running circle`; instruments have y = 0 at the flange back.
     """
     file = pathlib.Path(path)
     extension = file.suffix.lower()
-    if _KINDS.get(extension, profile.kind) != profile.kind:
-        raise ValueError(f"{file}: {extension} is a file of a {_KINDS[extension]}, and this is a {profile.kind}")
+    by_extension = kind_of_extension(extension)
+    if by_extension not in (None, profile.kind):
+        raise ValueError(f"{file}: {extension} is a file of a {by_extension}, and this is a {profile.kind}")
     y, z = 1e3 * np.asarray(profile.y, float), 1e3 * np.asarray(profile.z, float)
     if y.ndim != 1 or y.shape != z.shape:
         raise ValueError(f"y and z have one dimension and one size: y {y.shape}, z {z.shape}")
@@ -380,7 +383,7 @@ def write_profile(path: Union[str, os.PathLike[str]], profile: Profile) -> None:
                 f"  comment       = '{comment}'", "  units.len.f   = 1000.", "  units.ang.f   =    1.", "  point.begin"]
         rows, tail = [f"    {a:.6f} {b:.6f}" for a, b in zip(y, z)], ["  point.end", "spline.end"]
     elif extension in (".whl", ".ban"):
-        head = [f"Filename={file.name}", f"XYPoints={y.size}", "ColumnDef=X,Y", ""]
+        head = [f"Filename={file.name}", f"XYPoints={y.size}", "ColumnDef=X,Y", *(["Origin=running circle"] if profile.kind == "wheel" else []), ""]
         rows, tail = [f"{a:.6f}\t{b:.6f}" for a, b in zip(y, z)], []
     elif extension == ".csv":
         head, rows, tail = ["y_mm,z_mm"], [f"{a:.6f},{b:.6f}" for a, b in zip(y, z)], []

@@ -1,10 +1,15 @@
 """Profile files in the formats of other programs: any of them comes out as a wheel or a rail the right way round, in metres."""
 
+import importlib.util
+import json
 import os
 import pathlib
+import pickle
 import sys
 import tempfile
+import tracemalloc
 import unittest
+import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 
@@ -51,10 +56,17 @@ class Files(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def read(self, name, lines, **how):
+    def read(self, name, lines, encoding="utf-8", **how):
+        """Reads lines; the warnings are kept in self.warned."""
         path = self.folder / name
-        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
-        return kstrip.read_profile(path, **how)
+        path.write_text("\n".join(lines) + "\n", encoding=encoding)
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            found = kstrip.read_profile(path, **how)
+        self.warned = [str(one.message) for one in caught if issubclass(one.category, kstrip.ProfileWarning)]
+        self.assertEqual(len(self.warned), len(caught))
+        self.assertTrue(all(one.filename == __file__ for one in caught))
+        return found
 
     def same(self, found, expected, tolerance=1e-9):
         if expected[0, 0] > expected[-1, 0]:
@@ -187,6 +199,7 @@ class Files(unittest.TestCase):
 
     def test_measured_from_the_flange_back_is_told(self):
         self.assertIn("not the running circle", self.read("a.txt", [f"{y + 70:.4f} {z:.4f}" for y, z in points("s1002")]).notes[-1])
+        self.assertIn("not the running circle", self.warned[0])
 
     def test_points_that_coincide_are_left_out(self):
         found = self.read("a.txt", [f"{y:.7f} {z:.7f}" for y, z in np.repeat(points("s1002"), 2, axis=0)])
@@ -208,7 +221,16 @@ class Files(unittest.TestCase):
             ("a.prw", ["header.begin", "spline.end"], 2, "spline.end without spline.begin"),
             ("a.prw", simpack([(0, 0)] * 5, True, -1.0), None, "must be positive"),
             ("a.ban", miniprof([(0, 0)] * 5, "A,B"), 7, "ColumnDef has no X and Y"),
-            ("a.ban", miniprof([(0, 0)] * 5)[:-1], 12, "promises 5 points, and the file has 4"),
+            ("a.ban", miniprof([(0, 0)] * 5)[:-2], 11, "promises 5 points, and the file has 3"),
+            ("a.txt", ["1 1"] * 6, None, "has 1 at different places"),
+            ("a.txt", [f"{i} {row}" for i, row in enumerate(good)], 1, "columns=(i, j)"),
+            ("a.csv", [f"{y:.3f},{z:.3f}".replace(".", ",") for y, z in points("s1002")], 1, "decimal=','"),
+            ("a.txt", [*good[:6], "-9999 -9999", *good[6:]], 7, "missing=-9999"),
+            ("a.csv", [row.replace(" ", ",") for row in good[:6]] + ["1.0,NA"] + [row.replace(" ", ",") for row in good[6:]], 7, "missing='NA'"),
+            ("a.txt", [f"{1e3 * y:.1f} {1e3 * z:.1f}" for y, z in points("s1002")], None, "units="),
+            ("a.whe", ["WHEELPROFILE", "title", "TREADDATUM MARS", "FLANGEBACK 1360", "0 0 0 0"], None, "TREADDATUM is EUROPEAN"),
+            ("a.mpt", ["[Profile1Info]", "ProgramName=AutoCAD", "MPD1=A 0 0 1 1 2"], 3, "a segment 'A'"),
+            ("a.json", ['{"y": [1, 2, 3], "z": [1, 2]}'], None, "lists y and z of one length"),
         ]:
             with self.subTest(words):
                 with self.assertRaises(kstrip.ProfileError) as caught:
@@ -218,6 +240,354 @@ class Files(unittest.TestCase):
                 self.assertIn(name, str(caught.exception))
         with self.assertRaises(FileNotFoundError):
             kstrip.read_profile(self.folder / "nowhere.prw")
+
+    def turns(self, found):
+        return [note for note in found.notes if "mirrored" in note or "pointed up" in note or "turned" in note]
+
+    def test_tables_of_spreadsheets_and_instruments(self):
+        rail = points("uic60")
+        plain = [f"{y:.4f} {z:.4f}" for y, z in rail]
+        comma = [row.replace(" ", ",") for row in plain]
+        german = [row.replace(".", ",") for row in plain]
+        half = len(rail) // 2
+        for name, lines, how in [
+            ("quoted.csv", ['"y","z"', *('"' + row.replace(",", '","') + '"' for row in comma)], {}),
+            ("quoted_german.csv", ['"y","z"', *('"' + row.replace(" ", '","') + '"' for row in german)], {}),
+            ("units_line.csv", ["y,z", "mm,mm", *comma], {}),
+            ("title.txt", ["Rail profile 60E1, depot 4", "y z", *plain], {}),
+            ("skip.txt", ["12 34 5", "7 8 9", *plain], {"skip": 2}),
+            ("count.txt", [str(len(rail)), *plain], {}),
+            ("footer.txt", [*plain, "END", "of the measurement"], {}),
+            ("matlab.m", ["data=[", *(row + ";" for row in plain), "];"], {}),
+            ("list.txt", ["[", *(f"({row})," for row in comma), "]"], {}),
+            ("empty_row.csv", [*comma[:half], ",", *comma[half:]], {}),
+            ("blank_rows.txt", ["", *plain[:half], "", *plain[half:], ""], {}),
+            ("mark.csv", [*comma[:half], "-9999.0,-9999.0", *comma[half:]], {"missing": -9999}),
+            ("nan.csv", [*comma[:half], "NaN,1.0", *comma[half:]], {"missing": "nan"}),
+            ("cell.csv", [*comma[:half], "1.0,", *comma[half:]], {"missing": ""}),
+            ("fortran.txt", [f"{y:.9E} {z:.9E}".replace("E", "D") for y, z in rail], {}),
+            ("tabs_german.txt", [row.replace(" ", "\t") for row in german], {}),
+            ("spaces_german.txt", [row.replace(" ", "    ") for row in german], {}),
+            ("semicolons_german.csv", ["y [mm];z [mm]", *(row.replace(" ", ";") for row in german)], {}),
+            ("commas_german.csv", [row.replace(" ", ",") for row in german], {"decimal": ","}),
+            ("number.txt", [f"{i} {row}" for i, row in enumerate(plain)], {"columns": (1, 2)}),
+            ("number.csv", ["nr,y,z", *(f"{i},{row}" for i, row in enumerate(comma))], {}),
+            ("xyz.txt", [f"0.0 {row}" for row in plain], {"columns": (1, 2)}),
+            ("names.csv", ["a,b,c", *(f"{row},0" for row in comma)], {"columns": ("a", "b")}),
+            ("numpy.txt", ["# x y z", *(f"0.0 {row}" for row in plain)], {}),
+            ("inline.txt", [f"{row}   # point {i}" for i, row in enumerate(plain)], {}),
+            ("dos.txt", [row + "\r" for row in plain] + ["\x1a"], {}),
+            ("profile.json", [json.dumps({"y": list(rail[:, 0]), "z": list(rail[:, 1]), "units": "mm"})], {}),
+            ("points.json", [json.dumps(rail.tolist())], {}),
+            ("numpy.json", [repr({"y": list(rail[:, 0]), "z": list(rail[:, 1])}).replace("'", '"')], {}),
+        ]:
+            with self.subTest(name):
+                found = self.read(name, lines, **how)
+                self.assertEqual((found.kind, self.turns(found), self.warned), ("rail", [], []))
+                self.same(found, rail, 6e-8)
+        for encoding in ("utf-16", "utf-16-le", "utf-16-be", "utf-8-sig", "latin-1"):
+            self.same(self.read("encoded.csv", ["Höhe,Länge" if encoding == "latin-1" else "y_mm,z_mm", *comma], encoding), rail, 6e-8)
+
+    def test_arguments_are_checked(self):
+        for wrong in ({"columns": 1}, {"columns": (0, 1, 2)}, {"skip": -1}, {"decimal": ";"}):
+            with self.subTest(wrong), self.assertRaises((TypeError, ValueError)):
+                self.read("a.txt", ["1 2"] * 6, **wrong)
+        for how, words in (({"columns": (0, 5)}, "are not among the 2 columns"), ({"columns": ("a", "b")}, "no column is named 'a'")):
+            with self.subTest(words), self.assertRaisesRegex(kstrip.ProfileError, words):
+                self.read("a.txt", [f"{i} {i * i}" for i in range(9)], **how)
+
+    def test_one_stray_turns_nothing(self):
+        for name in RAILS:
+            values = points(name)
+            for at in (0.1, 0.3, 0.5, 0.9):
+                for dz in (-5.0, 5.0, -20.0):
+                    stray = values.copy()
+                    stray[int(at * len(values)), 1] += dz
+                    for y_sign, z_sign in ((1, 1), (-1, -1)):
+                        found = self.read("stray.csv", ["y_mm,z_mm", *(f"{y_sign * y:.6f},{z_sign * z:.6f}" for y, z in stray)], kind="rail")
+                        with self.subTest(name=name, at=at, dz=dz):
+                            self.same(found, stray, 1e-8)
+
+    def test_the_head_of_a_grooved_rail_decides(self):
+        """A rail with a lean toward its gauge side, a groove of 45 mm and a guard, at either side, up or down."""
+        head = points("uic60")
+        head = head[head[:, 1] < 15.0]
+        for groove_side in (-1, 1):
+            groove = np.linspace(0.0, 1.0, 60)[1:]
+            edge = head[-1] if groove_side > 0 else head[0]
+            floor = np.c_[edge[0] + groove_side * 44.0 * groove, edge[1] * (1 - groove) + 2.0 * groove + 40.0 * np.sin(np.pi * groove)]
+            guard = np.c_[floor[-1, 0] + groove_side * np.linspace(1.0, 30.0, 30), np.full(30, 2.0)]
+            rail = np.vstack((head, floor, guard) if groove_side > 0 else (guard[::-1], floor[::-1], head))
+            for z_sign in (1, -1):
+                found = self.read("grooved.csv", ["y_mm,z_mm", *(f"{y:.6f},{z_sign * z:.6f}" for y, z in rail)])
+                with self.subTest(groove_side=groove_side, z=z_sign):
+                    self.assertEqual(found.kind, "rail")
+                    self.same(found, rail, 1e-8)
+                    self.assertEqual(any("pointed up" in note for note in found.notes), z_sign < 0)
+                    self.assertTrue(any("more than one head" in warning for warning in self.warned))
+
+    def crossing(self, width):
+        """A wing rail, a flangeway with a round floor and a nose of a width, in mm, z down."""
+        groove = np.linspace(0.0, 1.0, 60)[1:]
+        wing = np.c_[np.linspace(-70.0, -50.0, 40), np.interp(np.linspace(-70.0, -50.0, 40), (-70, -66, -50), (30, 4, 4))]
+        floor = np.c_[-50.0 + 44.0 * groove, 4.0 + 46.0 * np.sin(np.pi * groove)]
+        nose = np.c_[np.linspace(-5.5, width, 40), np.full(40, 3.0)]
+        side = np.c_[width + np.linspace(0.5, 4.0, 20), 3.0 + np.linspace(2.0, 40.0, 20)]
+        field = np.c_[width + np.linspace(5.0, 40.0, 30), np.full(30, 43.0)]
+        return np.vstack((wing, floor, nose, side, field))
+
+    def test_slices_of_a_crossing_are_never_turned(self):
+        widths = np.linspace(6.0, 70.0, 33)
+        for width in widths:
+            found = self.read("nose.prr", simpack(self.crossing(width), False))
+            self.assertEqual(self.turns(found), [])
+            self.same(found, self.crossing(width), 1e-8)
+        paths = []
+        for k, width in enumerate(widths):
+            paths.append(self.folder / f"slice_{k}.txt")
+            np.savetxt(paths[-1], self.crossing(width))
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", kstrip.ProfileWarning)
+            for found, width in zip(kstrip.read_profiles(paths), widths):
+                self.assertEqual(found.kind, "rail")
+                self.same(found, self.crossing(width), 1e-8)
+                self.assertIn("those of the series", "\n".join(found.notes))
+
+    def test_a_series_has_one_decision(self):
+        """Slices that alone are symmetric or nearly flat stand as the clear ones."""
+        rail = points("uic60")
+        paths = [self.folder / f"{k}.txt" for k in range(3)]
+        np.savetxt(paths[0], rail * [-1, -1])
+        np.savetxt(paths[1], rail[rail[:, 1] < 14.0] * [-1, -1])
+        np.savetxt(paths[2], rail[abs(rail[:, 0]) < 5.0] * [-1, -1])
+        first, second, third = kstrip.read_profiles(paths)
+        self.same(first, rail, 1e-8)
+        self.same(second, rail[rail[:, 1] < 14.0], 1e-8)
+        self.same(third, rail[abs(rail[:, 0]) < 5.0], 1e-8)
+
+    def test_conventions_come_before_shapes(self):
+        rail, wheel = points("uic60"), points("s1002")
+        # A rail whose gauge side by its shape is at large y stays: the format says so
+        found = self.read("field.prr", simpack(rail * [-1, 1], False))
+        self.same(found, rail * [-1, 1])
+        self.assertEqual((self.turns(found), self.warned), ([], []))
+        # What cannot be: a flange at large y, a rail or a wheel upside down
+        for name, lines, values, words in [
+            ("left.prw", simpack(wheel * [-1, 1], True), wheel, "the flange is at large y, against the format"),
+            ("up.prw", simpack(wheel * [1, -1], True), wheel, "z points up by the shape, against the format"),
+            ("up.prr", simpack(rail * [1, -1], False), rail, "z points up by the shape, against the format"),
+        ]:
+            found = self.read(name, lines)
+            self.same(found, values)
+            self.assertTrue(any(words in warning for warning in self.warned), self.warned)
+            self.assertTrue(any(words in note for note in found.notes))
+        self.assertLess(self.read("up.prw", simpack(wheel * [1, -1], True), mirror_z=False).z.min(), -0.027)
+        # A kind against the file
+        found = self.read("r.prr", simpack(rail * [-1, -1], True), kind="rail")
+        self.same(found, rail)
+        self.assertIn("the file is that of a wheel", self.warned[0])
+        found = self.read("r.prr", simpack(rail, True))
+        self.assertEqual(found.kind, "rail")
+        self.assertIn("the header says wheel and the extension rail", self.warned[0])
+
+    def test_wheel_of_miniprof_stands_at_its_running_circle(self):
+        wheel = points("s1002")
+        for y_sign in (1, -1):
+            for z_sign in (1, -1):
+                raised = (wheel + [70.0, 12.5]) * [y_sign, z_sign]
+                found = self.read("a.whl", miniprof(raised))
+                self.same(found, wheel - [0.0, np.interp(0.0, *wheel[wheel[:, 0] > -20].T)], 1e-8)
+                self.assertIn("y = 0 was the flange back: moved by -70 mm", "\n".join(found.notes))
+                self.assertEqual(self.warned, [])
+
+    def test_headers_of_miniprof(self):
+        rail = points("uic60")
+        rows = [f"{y:.6f}\t{z:.6f}" for y, z in rail]
+        segments = [f"MPD{k + 1}=L {a[0]:.6f} {a[1]:.6f} {b[0]:.6f} {b[1]:.6f}" for k, (a, b) in enumerate(zip(rail, rail[1:]))]
+        for name, head in [
+            ("classic.ban", ["#MINIRAILPROF", "name.ban", "MINIPROF 2020", "Stock.......:", "Rail ID....:", '" 32.58 37.11 14.71', "(Sd/Sh/qR)", ""]),
+            ("old.ban", ["MINIPROF 101 1 1 24", "name.prd", "Stock.......:", "32.58 37.11 14.71  (Sd/Sh/qR)", ""]),
+            ("quoted.ban", ["Filename=a.trc", "XYPoints=480", '"RefPoint1="', "SectionNo=", '"ColumnDef=X,Y,A"', ""]),
+            ("sections.mpt", ["[FileInfo]", "ProgramName=MiniProf for Windows", "", "[Profile1Info]", "XYPoints=480", "[Profile1]"]),
+            ("less.ban", ["Filename=a", "XYPoints=479", ""]),
+            ("more.ban", ["Filename=a", "XYPoints=481", ""]),
+            ("spaced.ban", ["Filename = a", "Some text of the operator", "ColumnDef = X, Y", ""]),
+        ]:
+            with self.subTest(name):
+                self.same(self.read(name, head + rows), rail, 1e-8)
+        self.same(self.read("drawn.mpt", ["[Profile1Info]", "ProgramName=AutoCAD", "MPDC=479", *segments]), rail, 1e-8)
+        german = [row.replace(".", ",") for row in rows]
+        self.same(self.read("german.ban", ["Filename=a", "ColumnDef=X,Y", "", *german]), rail, 1e-8)
+
+    def test_simpack_bounds_weights_and_smoothing(self):
+        rail = points("uic60")
+        found = self.read("b.prr", simpack(rail, False, more=["bound.y.min = -20.0", "bound.y.max = 20.0"]))
+        self.same(found, rail[abs(rail[:, 0]) <= 20.0])
+        self.assertIn("beyond bound.y", "\n".join(found.notes))
+        lines = simpack(rail, False, more=["approx.smooth = 0.3"])
+        first = next(k for k, line in enumerate(lines) if line.strip().startswith("!"))
+        lines = [line.replace("! comment", "0.0" if k == first + 100 else "1.0") for k, line in enumerate(lines)]
+        found = self.read("w.prr", lines)
+        self.same(found, np.delete(rail, 99, 0))
+        self.assertIn("1 points of weight 0 are left out", found.notes)
+        self.assertIn("approx.smooth = 0.3 is not applied", "\n".join(found.notes))
+
+    def test_vampire(self):
+        """Both sides across the track in mm: wheels with z down and the tread datum 70 mm from the flange back, rails with z up."""
+        wheel, rail = points("s1002"), points("uic60")
+        rows = [f"{-(y + 750.0):.6f}, {z:.6f}, {y + 750.0:.6f}, {z:.6f}" for y, z in wheel]
+        self.same(self.read("a.whe", ["WHEELPROFILE", "S1002 of a wheelset", "TREADDATUM EUROPEAN", "FLANGEBACK 1360.0", *rows]), wheel, 1e-8)
+        rows = [f"{-(y + 717.5):.6f} {-z - 3.0:.6f} {y + 717.5:.6f} {-z - 3.0:.6f}" for y, z in rail]
+        found = self.read("a.rai", ["RAILPROFILE", "60E1", "GAUGEPOINT EUROPEAN", "GAUGE 1435.0", *rows])
+        self.same(found, rail - [0.0, rail[:, 1].min()], 1e-8)
+        self.assertEqual(self.warned, [])
+
+    def test_outline_is_cut_to_its_head(self):
+        """A whole rail: its head, a web and a foot of 150 mm, from any point of the outline, either way round."""
+        head = points("uic60")
+        head = np.vstack(([head[0, 0] + 8.0, 45.0], head, [head[-1, 0] - 8.0, 45.0]))
+        below = [[8.0, 60.0], [8.0, 150.0], [75.0, 162.0], [75.0, 172.0], [-75.0, 172.0], [-75.0, 162.0], [-8.0, 150.0], [-8.0, 60.0]]
+        outline = np.vstack((head, below))
+        for start in (0, 100, 400, len(outline) - 3):
+            for sign in (1, -1):
+                for order in (1, -1):
+                    turned = np.roll(outline, start, axis=0)[::order] * [1, sign]
+                    turned = np.vstack((turned, turned[:1]))
+                    found = self.read("outline.txt", [f"{y:.6f} {z:.6f}" for y, z in turned])
+                    with self.subTest(start=start, sign=sign, order=order):
+                        self.assertEqual(found.kind, "rail")
+                        self.assertIn("outline is closed", "\n".join(found.notes))
+                        self.assertLess(found.z.max(), 0.0455)
+                        inner = head[1:-1]
+                        np.testing.assert_allclose(np.interp(0.0, found.y, found.z), 1e-3 * np.interp(0.0, *inner.T), atol=1e-6)
+                        self.assertLess(abs(found.y.min() - 1e-3 * inner[:, 0].min()), 1e-6)
+                        found.prepare()
+
+    @unittest.skipUnless(importlib.util.find_spec("ezdxf"), "SKIPPED: ezdxf is not installed")
+    def test_drawings(self):
+        import ezdxf
+
+        rail = points("uic60")[::4]
+        for kind in ("lwpolyline", "polyline", "lines", "spline", "halves"):
+            drawing = ezdxf.new(units=4)
+            space = drawing.modelspace()
+            flipped = [tuple(point) for point in rail * [1, -1]]
+            if kind == "lwpolyline":
+                space.add_lwpolyline(flipped)
+            elif kind == "polyline":
+                space.add_polyline2d(flipped)
+            elif kind == "spline":
+                space.add_cad_spline_control_frame([(y, z, 0.0) for y, z in flipped])
+            elif kind == "halves":
+                space.add_lwpolyline(flipped[60:])
+                space.add_lwpolyline(flipped[60::-1])
+            else:
+                for a, b in reversed(list(zip(flipped, flipped[1:]))):
+                    space.add_line(a, b)
+            space.add_line((0, 90), (5, 90))
+            path = self.folder / f"{kind}.dxf"
+            drawing.saveas(path)
+            found = kstrip.read_profile(path, kind="rail")
+            with self.subTest(kind):
+                inside = 1e-3 * rail[abs(rail[:, 0]) < 25.0]
+                order = np.argsort(found.y)
+                np.testing.assert_allclose(np.interp(inside[:, 0], found.y[order], found.z[order]), inside[:, 1], atol=5e-6)
+                self.assertIn("separate lines, of which the longest is read", "\n".join(found.notes))
+
+    def test_rollers_and_weak_shapes(self):
+        y = np.linspace(-12.0, 12.0, 121)
+        roller = np.c_[y, -(y**2) / 400.0]
+        for z_sign in (1, -1):
+            found = self.read("roller.txt", [f"{a:.6f} {z_sign * b:.6f}" for a, b in roller], kind="wheel", units="mm")
+            self.same(found, roller, 1e-8)
+        self.read("roller.txt", [f"{a:.6f} {b:.6f}" for a, b in roller], units="mm")
+        self.assertTrue(any("kind= says which" in warning for warning in self.warned))
+        flat = self.read("flat.txt", [f"{a:.6f} 0" for a in y], kind="wheel", units="mm")
+        self.assertTrue(any("hardly says whether z points down" in warning for warning in self.warned))
+        self.same(flat, np.c_[y, 0 * y])
+        # A cone of 1:40 with a steep flange, as tests of conicity have it
+        cone = np.array([[-70.0, 0.0], [-68.0, 20.0], [-62.0, 28.0], [-52.0, 25.0], [-40.0, 1.0], [60.0, -1.5]])
+        line = np.linspace(0.0, 5.0, 301)
+        cone = np.c_[np.interp(line, np.arange(6), cone[:, 0]), np.interp(line, np.arange(6), cone[:, 1])]
+        for y_sign, z_sign in ((1, 1), (-1, 1), (1, -1), (-1, -1)):
+            found = self.read("cone.txt", [f"{y_sign * a:.6f} {z_sign * b:.6f}" for a, b in cone])
+            self.assertEqual(found.kind, "wheel")
+            self.same(found, cone, 1e-8)
+
+    def test_arrays_are_oriented_as_files(self):
+        for name in WHEELS + RAILS:
+            kind = "wheel" if name in WHEELS else "rail"
+            for y_sign, z_sign, order in ((1, 1, 1), (-1, 1, -1), (1, -1, 1), (-1, -1, -1)):
+                y, z = 1e-3 * (points(name) * [y_sign, z_sign])[::order].T
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", kstrip.ProfileWarning)
+                    found = kstrip.oriented(y, z, kind=kind)
+                self.same(found, points(name))
+                self.assertEqual(found.kind, kind)
+        again = pickle.loads(pickle.dumps(found))
+        np.testing.assert_array_equal(again.y, found.y)
+        self.assertEqual((again.kind, again.notes, repr(again)), (found.kind, found.notes, repr(found)))
+        for wrong in ((np.zeros(5), np.zeros(4)), (np.zeros((2, 2)), np.zeros((2, 2)))):
+            with self.assertRaises(ValueError):
+                kstrip.oriented(*wrong)
+        with self.assertRaises(kstrip.ProfileError) as caught:
+            kstrip.oriented([1.0, 2.0, np.nan, 3.0, 4.0], [0.0] * 5)
+        self.assertIn("finite", str(pickle.loads(pickle.dumps(caught.exception))))
+
+    def test_hostile_files(self):
+        """Random bytes, files cut anywhere and huge numbers are read or refused by ProfileError, within 200 MB."""
+        random = np.random.default_rng(70)
+        wheel = points("s1002")
+        sources = ["\n".join(lines).encode() for lines in (
+            simpack(wheel, True), miniprof(wheel), [f"{y},{z}" for y, z in wheel], ["y;z", *(f"{y};{z}".replace(".", ",") for y, z in wheel)],
+            ["WHEELPROFILE", "t", "TREADDATUM EUROPEAN", "FLANGEBACK 1360", *(f"{y} {z} {y} {z}" for y, z in wheel)],
+            [json.dumps(wheel.tolist())], ["[Profile1Info]", "MPDC=3", *(f"MPD{k}=L 1 2 3 {k}" for k in range(9))])]
+        hostile = [b"", b"\n" * 1000, b"[" * 100000, b"{" * 100000, b'"' * 9999, b"1e999 1e999\n" * 9, b"1e308 1\n-1e308 2\n" * 9, b"9" * 100000,
+                   (b"1" * 5000 + b" 2\n") * 9, b"XYPoints=99999999999999999999\n1 2\n", b"1,2,3,4\n" * 9, b"0\nSECTION\n", b"\xff\xfe1", b"1_0 2_0\n" * 9,
+                   b"spline.end\n", b"header.begin\nheader.end\nheader.end\nheader.end\n", b"1 2\n" * 3, b"\x00" * 4096, b"1e-320 1e-320\n" * 9]
+        for _ in range(150):
+            source = bytearray(sources[random.integers(len(sources))])
+            for _ in range(random.integers(1, 6)):
+                at = int(random.integers(max(len(source), 1)))
+                change = random.integers(4)
+                if change == 0:
+                    source = source[:at]
+                elif change == 1:
+                    source[at : at + 3] = random.bytes(int(random.integers(8)))
+                elif change == 2:
+                    source[at:at] = [b"1e999", b"-1e300", b"9999999999999999999999", b"\n", b"=", b'"', b",", b"nan", b"1e-400"][random.integers(9)]
+                elif source:
+                    del source[at : at + int(random.integers(200))]
+            hostile.append(bytes(source))
+        hostile += [random.bytes(2000) for _ in range(50)]
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        read = 0
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for k, content in enumerate(hostile):
+                path = self.folder / ("a.prw", "a.whl", "a.txt", "a.csv", "a.json", "a.mpt")[k % 6]
+                path.write_bytes(content)
+                with self.subTest(content=content[:60]):
+                    try:
+                        found = kstrip.read_profile(path)
+                    except kstrip.ProfileError:
+                        continue
+                    read += 1
+                    self.assertTrue(np.isfinite(found.y).all() and np.isfinite(found.z).all() and found.y.size >= 4)
+        self.assertGreater(read, 5)
+        self.assertLess(tracemalloc.get_traced_memory()[1], 200e6)
+
+    def test_a_million_lines(self):
+        y = np.linspace(-70.0, 60.0, 1_000_000)
+        z = np.interp(y, *points("s1002").T)
+        for name, separator in (("a.txt", " "), ("a.csv", ",")):
+            path = self.folder / name
+            path.write_text("y_mm" + separator + "z_mm\n" + "".join(f"{a:.6f}{separator}{b:.6f}\n" for a, b in zip(y, z)))
+            found = kstrip.read_profile(path)
+            self.assertEqual(found.kind, "wheel")
+            np.testing.assert_allclose(found.y, 1e-3 * y, atol=1e-9)
+            np.testing.assert_allclose(found.z, 1e-3 * z, atol=1e-9)
 
     def test_round_trip(self):
         for name in WHEELS + RAILS:
@@ -232,6 +602,9 @@ class Files(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "file of a wheel"):
             kstrip.write_profile(self.folder / "rail.prw", profile)
         self.assertIn("Profile of a rail, 493 points", repr(profile))
+        wheel = kstrip.Profile(*1e-3 * points("avgwhl").T, "wheel")
+        kstrip.write_profile(self.folder / "flange_back.whl", wheel)
+        self.same(kstrip.read_profile(self.folder / "flange_back.whl"), points("avgwhl"))
 
 
 if __name__ == "__main__":
