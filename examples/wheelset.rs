@@ -15,9 +15,9 @@
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
 use kstrip::status::Error;
+use kstrip::wheel_rail::forces::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use kstrip::wheel_rail::profile::PreparedProfile;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::PreparedProfile;
-use kstrip::wheel_rail::wrench::{Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use kstrip::wheel_rail::{BodyState, Position, Requested, Velocity, WheelPair};
 use nalgebra::{Matrix6, Vector6};
 

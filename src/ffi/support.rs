@@ -27,10 +27,12 @@ pub(super) use crate::rig::fit::{FrictionFit, MeasuredForce};
 pub(super) use crate::rig::{self, FrictionEstimate, Measured};
 pub(super) use crate::status::{Error, Warning, kstrip_status};
 pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
+pub(super) use crate::wheel_rail::forces::wrench::{
+    self, Wrench, WrenchByPosition, WrenchDerivatives,
+};
+pub(super) use crate::wheel_rail::profile::PreparedProfile;
 pub(super) use crate::wheel_rail::scene::Workspace;
-pub(super) use crate::wheel_rail::surface::PreparedProfile;
 pub(super) use crate::wheel_rail::touch::{Gap, GapSearch};
-pub(super) use crate::wheel_rail::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
 pub(super) use crate::wheel_rail::{
     BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, Velocity, WheelPair,
 };

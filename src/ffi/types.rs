@@ -7,7 +7,7 @@ use crate::friction::derivatives::LawDerivatives;
 use crate::motion::MotionDerivatives;
 pub use crate::patch::StoredPatch;
 use crate::wheel_rail::WheelPair;
-use crate::wheel_rail::surface::PreparedProfile;
+use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheelset::track::RailMotion;
 
 /// The model and the number of strips. All zero is the default.

@@ -3,12 +3,12 @@
 //! Axes of the track: `x` forward, `y` to the right, `z` down. The wheel is the right one; the left
 //! one is its mirror image ([`WheelPair::left`]).
 //!
-//! 1. [`surface`] turns measured or drawn points into a profile at equal steps of its length.
+//! 1. [`profile`] turns measured or drawn points into a profile at equal steps of its length.
 //! 2. [`touch`] finds the line on the wheel where its normal is perpendicular to `x`, and its
 //!    distance from the rail. All contacts lie on this line.
 //! 3. [`contacts`] finds the zones of contact. Each has a [patch](crate::patch), the direction of
 //!    its pressure, and rows that turn the velocity of the wheel into the motion of the patch.
-//! 4. [`wrench`] turns motion, creep forces and pressure into force and moment on the wheel, with
+//! 4. [`forces`] turns motion, creep forces and pressure into force and moment on the wheel, with
 //!    their derivatives.
 //! 5. [`scene`] does all of this for a position, and finds the height of the wheel for a load.
 //!
@@ -21,25 +21,11 @@
 //! ```
 
 pub mod contacts;
-mod curve;
-mod curved;
-mod ends;
-mod groups;
+pub mod forces;
 mod height;
-mod knots;
-mod line_of_contact;
-mod moves;
-mod plausibility;
-mod prepare;
-mod roller;
+pub mod profile;
 pub mod scene;
-mod spine;
-mod steps;
-pub mod surface;
 pub mod touch;
-mod under;
-mod view;
-pub mod wrench;
 
 use crate::number::{Float, are_finite, ascend};
 use crate::status::Error;

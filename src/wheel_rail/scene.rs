@@ -1,10 +1,10 @@
 //! Force and moment for a position, and the height of a wheel that carries a load.
 
+use super::contacts::view;
 use super::contacts::{self, WheelContact};
-use super::surface::PreparedProfile;
+use super::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use super::profile::PreparedProfile;
 use super::touch::{Gap, GapSearch};
-use super::view;
-use super::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use super::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, WheelPair};
 use crate::contact::totals::StripCount;
 use crate::number::Float;

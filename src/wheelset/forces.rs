@@ -4,8 +4,8 @@ use super::KSTRIP_WHEELSET_FREEDOMS;
 use super::kinematics::{Kinematics, Side, Ten, transposed_times};
 use crate::number::{Float, add, add_at, are_finite};
 use crate::status::Error;
+use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::scene::{Scene, Workspace};
-use crate::wheel_rail::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::{BodyState, Requested, dot};
 
 /// Memory of the caller for the computation of a wheelset: that of the right wheel and that of the

@@ -2,7 +2,7 @@
 
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
-use crate::wheel_rail::surface::PreparedProfile;
+use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::{Position, Velocity, sine_cosine};
 
 /// Default of the depth below the top of the rail down to which the gauge is measured \[m\] (EN

@@ -9,9 +9,9 @@ use crate::reference::numbers;
 use crate::toolchain::root;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
+use kstrip::wheel_rail::forces::wrench::Law;
+use kstrip::wheel_rail::profile::PreparedProfile;
 use kstrip::wheel_rail::scene::{Scene, Workspace};
-use kstrip::wheel_rail::surface::PreparedProfile;
-use kstrip::wheel_rail::wrench::Law;
 use kstrip::wheel_rail::{BodyState, Position, Velocity, WheelPair};
 
 /// Load of a wheel [N], speed [m/s], yaw over shift [rad/m].

@@ -41,11 +41,11 @@ pub use kstrip::status::{Error, Warning};
 pub use kstrip::strip_1967::strip::{Regime, SlidingRule, State, Strip};
 pub use kstrip::total::Total;
 pub use kstrip::wheel_rail::contacts::WheelContact;
-pub use kstrip::wheel_rail::scene::{Scene, Workspace};
-pub use kstrip::wheel_rail::surface::PreparedProfile;
-pub use kstrip::wheel_rail::wrench::{
+pub use kstrip::wheel_rail::forces::wrench::{
     Law, Wrench, WrenchByPosition, WrenchDerivatives, of_contacts,
 };
+pub use kstrip::wheel_rail::profile::PreparedProfile;
+pub use kstrip::wheel_rail::scene::{Scene, Workspace};
 pub use kstrip::wheel_rail::{BodyState, Position, Requested, Velocity, WheelPair};
 pub use kstrip::wheelset::forces::{Wheelset, WheelsetWorkspace};
 pub use kstrip::wheelset::kinematics::Side;

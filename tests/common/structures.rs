@@ -33,16 +33,18 @@ macro_rules! structures {
         pub type kstrip_friction_estimate = kstrip::rig::FrictionEstimate<$float>;
         pub type kstrip_measured_force = kstrip::rig::fit::MeasuredForce<$float>;
         pub type kstrip_friction_fit = kstrip::rig::fit::FrictionFit<$float>;
-        pub type kstrip_surface = kstrip::wheel_rail::surface::PreparedProfile<$float>;
+        pub type kstrip_surface = kstrip::wheel_rail::profile::PreparedProfile<$float>;
         pub type kstrip_wheel_position = kstrip::wheel_rail::Position<$float>;
         pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<$float>;
         pub type kstrip_wheel_pair = kstrip::wheel_rail::WheelPair<$float>;
         pub type kstrip_gap = kstrip::wheel_rail::touch::Gap<$float>;
         pub type kstrip_wheel_contact = kstrip::wheel_rail::contacts::WheelContact<$float>;
         pub type kstrip_wheel_workspace = kstrip::wheel_rail::scene::Workspace<$float>;
-        pub type kstrip_wrench = kstrip::wheel_rail::wrench::Wrench<$float>;
-        pub type kstrip_wrench_derivatives = kstrip::wheel_rail::wrench::WrenchDerivatives<$float>;
-        pub type kstrip_wrench_by_position = kstrip::wheel_rail::wrench::WrenchByPosition<$float>;
+        pub type kstrip_wrench = kstrip::wheel_rail::forces::wrench::Wrench<$float>;
+        pub type kstrip_wrench_derivatives =
+            kstrip::wheel_rail::forces::wrench::WrenchDerivatives<$float>;
+        pub type kstrip_wrench_by_position =
+            kstrip::wheel_rail::forces::wrench::WrenchByPosition<$float>;
         pub type kstrip_rail_motion = kstrip::wheelset::track::RailMotion<$float>;
         pub type kstrip_track = kstrip::ffi::types::Track<$float>;
         pub type kstrip_curve = kstrip::wheelset::track::Curve<$float>;

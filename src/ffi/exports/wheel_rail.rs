@@ -2,8 +2,8 @@
 
 use super::F;
 use crate::ffi::support::*;
+use crate::wheel_rail::forces::wrench::Law;
 use crate::wheel_rail::scene::Scene;
-use crate::wheel_rail::wrench::Law;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
 ///

@@ -14,12 +14,12 @@
 //! Everything else is no wheel, no rail, or neither; so is a profile with another flat part far
 //! above: the top of a flange that is upside down. Profiles without steep parts may be both.
 
-use super::contacts::WheelContact;
-use super::scene::Scene;
-use super::surface::{CurvePoint, PreparedProfile};
+use super::{CurvePoint, PreparedProfile};
 use crate::contact::plausibility::{LARGEST_FRICTION, LARGEST_PRESSURE, LARGEST_RADIUS};
 use crate::number::Float;
 use crate::status::Warning;
+use crate::wheel_rail::contacts::WheelContact;
+use crate::wheel_rail::scene::Scene;
 
 /// Sine of the angle below which a part is flat, and of that above which it is steep.
 const FLAT: f64 = 0.342;
@@ -106,7 +106,7 @@ impl<F: Float> PreparedProfile<F> {
 
 impl<F: Float> Scene<'_, F> {
     /// What is implausible about the scene and its contacts; the profiles are examined first.
-    pub(super) fn plausibility(&self, contacts: &[WheelContact<F>]) -> Warning {
+    pub(crate) fn plausibility(&self, contacts: &[WheelContact<F>]) -> Warning {
         let Self { rail, wheel, pair, .. } = *self;
         let of_rail = rail.implausible(rail.form & NO_RAIL != 0);
         let of_profiles = of_rail.worse(wheel.implausible(wheel.form & NO_WHEEL != 0));

@@ -1,7 +1,7 @@
 //! The point of a rail under another point: where the rail's normal leads to it.
 
-use super::surface::{Piece, PreparedProfile};
 use crate::number::{Float, Strips};
+use crate::wheel_rail::profile::{Piece, PreparedProfile};
 
 /// Number of corrections of a place on the rail. Each doubles the number of correct digits. The
 /// last is smaller than this share of the way between two points.
@@ -15,7 +15,7 @@ const COARSE: usize = 32;
 const FACING: f64 = 0.5;
 /// Least cosine of a rail's angle: a side that leans back by more, and what is below it, is left
 /// out.
-pub(super) const UNDERCUT: f64 = -1.0 / 3.0;
+pub(crate) const UNDERCUT: f64 = -1.0 / 3.0;
 
 /// A rail, and where the search for the next point begins.
 pub(super) struct Rail<'a, F> {

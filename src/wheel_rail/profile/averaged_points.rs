@@ -1,9 +1,9 @@
 //! The points of a profile, averaged where they are crowded or scatter, in ascending order of their
 //! length.
 
+use super::coarse_line::{CAPACITY, Polyline};
 use super::curve::{Points, distance};
-use super::spine::{CAPACITY, Polyline};
-use super::surface::{CurvePoint, PreparedProfile};
+use super::{CurvePoint, PreparedProfile};
 use crate::number::{Float, add_at, between, set_at};
 use crate::numerics::parabola::NormalEquations;
 

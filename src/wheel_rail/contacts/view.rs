@@ -2,10 +2,6 @@
 //! place.
 
 use super::moves::{Lists, PointMoves};
-use super::roller::{Over, Roller};
-use super::surface::PreparedProfile;
-use super::touch::{self, Gap};
-use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use crate::contact::totals::StripCount;
 use crate::normal::cells::{Cells, Given};
 use crate::normal::parabola::STEPS;
@@ -15,6 +11,10 @@ use crate::number::{Dual, Float, add, are_finite, ascend, at};
 use crate::numerics::hermite::between_parabolas;
 use crate::patch::StoredPatch;
 use crate::status::{Error, Warning};
+use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::touch::roller::{Over, Roller};
+use crate::wheel_rail::touch::{self, Gap};
+use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 
 /// Height above the lowest point of points that tell how far apart points are \[m\].
 const LOW: f64 = 1e-4;
@@ -34,7 +34,7 @@ fn counting<F: Float>(step: F, smoothing: F) -> F {
 
 /// Distance of the surfaces from which points have no effect, at most: some points beyond the last
 /// one that counts are needed, because the smoothing length follows from their spacing \[m\].
-pub(super) fn reach<F: Float>(step: F, smoothing: F) -> F {
+pub(crate) fn reach<F: Float>(step: F, smoothing: F) -> F {
     (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::REACH))
 }
 

@@ -1,9 +1,9 @@
 //! The order of a profile's points: a polyline past which all of them lie.
 
-use super::KSTRIP_SURFACE_CAPACITY;
 use super::curve::{Points, distance};
 use crate::number::{Float, at, length};
 use crate::status::Error;
+use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Points of a polyline: as many as a prepared profile has.
 pub(super) const CAPACITY: usize = KSTRIP_SURFACE_CAPACITY;

@@ -21,11 +21,13 @@
 //! The force of the pressure is `Σ N n`. Where the normal turns by more than 5 degrees, strips have
 //! their own slip besides (`curved`).
 
-use super::groups::{Groups, Overlaps};
-use super::line_of_contact::{Axes, Turn, with_moment};
-use super::touch::Gap;
-use super::view::View;
-use super::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine};
+mod groups;
+mod moves;
+mod steps;
+pub(super) mod view;
+
+use self::groups::{Groups, Overlaps};
+use self::view::View;
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::Indentation;
@@ -35,6 +37,11 @@ use crate::number::{Dual, Float, add, are_finite, at, length};
 use crate::numerics::{ramp, smooth_step};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
 use crate::status::{Error, Warning};
+use crate::wheel_rail::touch::Gap;
+use crate::wheel_rail::touch::line_of_contact::{Axes, Turn, with_moment};
+use crate::wheel_rail::{
+    KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine,
+};
 
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
@@ -191,7 +198,7 @@ impl<F: Float> WheelContact<F> {
     }
 
     /// Fills the contact from strips along the rail.
-    pub(super) fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
+    fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
         self.patch = *strips;
         let sums = self.sums_of_strips(view);
@@ -289,7 +296,7 @@ impl<F: Float> WheelContact<F> {
 
 /// Groups the zones; returns how many contacts are separate. (Out of line, to keep no zones.)
 #[inline(never)]
-pub(super) fn group_zones<F: Float, const N: usize>(
+fn group_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
     groups: &mut Groups<F>,
 ) -> Result<u32, Error> {

@@ -5,13 +5,17 @@
 //! (`under`). No plane of contact needs to be chosen, and a flange at 70 degrees is treated like a
 //! tread.
 
-use super::line_of_contact::Wheel;
-use super::surface::{CurvePoint, PreparedProfile};
-use super::under::{Rail, UNDERCUT};
-use super::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
+pub(super) mod line_of_contact;
+pub(super) mod roller;
+pub(super) mod under;
+
+use self::line_of_contact::Wheel;
+use self::under::{Rail, UNDERCUT};
 use crate::number::avx::with_avx;
 use crate::number::{Float, Strips, set_at};
 use crate::status::Error;
+use crate::wheel_rail::profile::{CurvePoint, PreparedProfile};
+use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use core::f64::consts::PI;
 
 /// Default of the distance above which points are left out \[m\].

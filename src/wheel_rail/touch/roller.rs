@@ -11,8 +11,8 @@
 //! The wheel is nearest to the roller where its normal lies in this plane: `n_x d + n_z q = 0`
 //! instead of `n_x = 0`.
 
-use super::{Position, WheelPair};
 use crate::number::{Float, Strips, length};
+use crate::wheel_rail::{Position, WheelPair};
 
 /// Steps of Newton's method for the angle about the axle. Each doubles the number of digits.
 const STEPS: u32 = 4;
@@ -22,7 +22,7 @@ const LEAST_DEPTH: f64 = 0.1;
 
 /// A roller under a wheel.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Roller<F> {
+pub(crate) struct Roller<F> {
     /// `R` \[m\]
     radius: F,
     /// x of its axis from the wheel's centre \[m\].
@@ -34,7 +34,7 @@ pub(super) struct Roller<F> {
 
 /// A direction of the plane through the axis and a point: sine and cosine of `φ`, and `ρ`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Over<F> {
+pub(crate) struct Over<F> {
     pub sine: F,
     pub cosine: F,
     pub distance: F,

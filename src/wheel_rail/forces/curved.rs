@@ -17,10 +17,7 @@
 //! λ ∂Q/∂λ = Q − (∂Q/∂c) c − κ ∂Q/∂κ,   λ ∂P/∂λ = 2 P − (∂P/∂c) c − κ ∂P/∂κ
 //! ```
 
-use super::contacts::WheelContact;
-use super::dot;
 use super::ends::{Law, Pressed, at_speed};
-use super::line_of_contact::Axes;
 use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
@@ -29,6 +26,9 @@ use crate::number::{Float, add, at};
 use crate::patch::friction::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
+use crate::wheel_rail::contacts::WheelContact;
+use crate::wheel_rail::dot;
+use crate::wheel_rail::touch::line_of_contact::Axes;
 use heapless::Vec;
 
 /// Creep forces of a contact on the rail, conjugate to the six velocities.

@@ -15,12 +15,12 @@
 //! which points are left out, this length or this distance stays, and the place on the profile
 //! moves.
 
-use super::line_of_contact::{FACTORS, Turn};
-use super::surface::PreparedProfile;
-use super::under::UNDERCUT;
-use super::{Position, sine_cosine};
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
+use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::touch::line_of_contact::{FACTORS, Turn};
+use crate::wheel_rail::touch::under::UNDERCUT;
+use crate::wheel_rail::{Position, sine_cosine};
 
 /// Roundings by which the last point of a gap may be off.
 const ROUNDINGS: f64 = 1e3;

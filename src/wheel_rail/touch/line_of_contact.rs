@@ -18,15 +18,15 @@
 //! ```
 
 use super::roller::Roller;
-use super::surface::CurvePoint;
-use super::{Position, WheelPair, cross, sine_cosine};
 use crate::number::{Arithmetic, Float, Strips};
+use crate::wheel_rail::profile::CurvePoint;
+use crate::wheel_rail::{Position, WheelPair, cross, sine_cosine};
 
 /// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
 const STEEPEST: f64 = 0.06;
 const FARTHEST: f64 = 0.9;
 /// Bounds of the rolling radius over `r/cos α`.
-pub(super) const FACTORS: [f64; 2] = [0.2, 5.0];
+pub(crate) const FACTORS: [f64; 2] = [0.2, 5.0];
 
 /// Sines and cosines of the roll and the yaw of a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +80,7 @@ impl<F: Float> Turn<F> {
 }
 
 /// From the axes of the track to the members of the velocity.
-pub(super) struct Axes<F> {
+pub(crate) struct Axes<F> {
     pub turn: Turn<F>,
     pub left: bool,
 }
@@ -105,7 +105,7 @@ impl<F: Float> Axes<F> {
 }
 
 /// A direction and its moment about the wheel's centre.
-pub(super) fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
+pub(crate) fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] {
     let ([a, b, c], [d, e, f]) = (direction, cross(place, direction));
     [a, b, c, d, e, f]
 }

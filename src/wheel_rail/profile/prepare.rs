@@ -7,15 +7,15 @@
 //! 3. A [curve](Points) leads through the knots, cubic between them.
 //! 4. The prepared points are points of the curve at equal chords.
 
-use super::KSTRIP_SURFACE_CAPACITY;
+use super::averaged_points::{Knots, SINGLE};
+use super::coarse_line::Polyline;
 use super::curve::{Chords, Points, distance};
-use super::knots::{Knots, SINGLE};
 use super::plausibility::ROUGH_AND_COARSE;
-use super::spine::Polyline;
-use super::surface::{CurvePoint, PreparedProfile};
+use super::{CurvePoint, PreparedProfile};
 use crate::number::{Float, are_finite};
 use crate::numerics::ramp;
 use crate::status::{Error, Warning};
+use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Shortest extent of a profile, and largest coordinate \[m\].
 const SHORTEST: f64 = 1e-6;

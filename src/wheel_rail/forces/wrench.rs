@@ -12,17 +12,17 @@
 //! The damping `d` multiplies the pressure by `m`, as Hunt and Crossley have it, and with the
 //! pressure the friction bound of every strip. (The contact area stays that of the pressure alone.)
 
-use super::contacts::WheelContact;
 use super::curved::{self, Creep};
 pub use super::ends::Law;
 use super::ends::{Pressed, at_speed};
-use super::{Velocity, dot};
 use crate::contact::creepage::Creepage;
 use crate::forces::Solution;
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, add, are_finite};
 use crate::patch::{self, PatchView, StoredPatch, solver};
 use crate::status::{Error, Warning};
+use crate::wheel_rail::contacts::WheelContact;
+use crate::wheel_rail::{Velocity, dot};
 
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
 /// products add up to power.
@@ -104,7 +104,7 @@ pub fn of_contacts<F: Float>(
 }
 
 /// The same with memory for a patch.
-pub(super) fn of_contacts_in<F: Float>(
+pub(crate) fn of_contacts_in<F: Float>(
     room: &mut StoredPatch<F>,
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
@@ -119,7 +119,7 @@ pub(super) fn of_contacts_in<F: Float>(
 
 /// The same; without `SLOPES` no derivatives, which takes less than half of the stack.
 #[inline(never)]
-pub(super) fn sum_of_contacts<F: Float, const SLOPES: bool>(
+pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
     room: &mut StoredPatch<F>,
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,

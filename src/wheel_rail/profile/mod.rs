@@ -1,10 +1,16 @@
 //! A profile at equal steps of its length, with its direction. It is cubic between the points, so
 //! that distances have continuous slopes.
 
-use super::KSTRIP_SURFACE_CAPACITY;
+mod averaged_points;
+mod coarse_line;
+mod curve;
+pub(super) mod plausibility;
+mod prepare;
+
 use crate::number::{Arithmetic, Float, Strips, are_finite, set_at};
 use crate::numerics::hermite::{Along, Cubic};
 use crate::status::Error;
+use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
 /// larger y, and its direction. It holds plain numbers and may be copied.

@@ -3,13 +3,10 @@
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::contacts::{WheelContact, group_zones};
 use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
 use super::moves::PointMoves;
-use super::scene::{Scene, Workspace, is_single};
 use super::view::View;
-use super::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
-use super::{BodyState, KSTRIP_CONTACTS_CAPACITY};
+use super::{WheelContact, group_zones};
 use crate::normal::cells::{Cell, Cells};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
@@ -19,6 +16,9 @@ use crate::normal::{Indentation, Profile};
 use crate::number::{Float, Number, add, at, length};
 use crate::patch::StoredPatch;
 use crate::status::Error;
+use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
+use crate::wheel_rail::scene::{Scene, Workspace, is_single};
+use crate::wheel_rail::{BodyState, KSTRIP_CONTACTS_CAPACITY};
 use core::slice::from_ref;
 
 /// Share by which overlap and shape change over a step, over the root of their rounding.
@@ -48,7 +48,7 @@ impl<F: Float> Scene<'_, F> {
     /// and of the strips; those of frames, creepages and creep forces by differences to one side,
     /// in single precision to both. The memory of the last contact that there may be is used.
     #[inline(never)]
-    pub(super) fn add_slopes_by_position(
+    pub(crate) fn add_slopes_by_position(
         &self,
         state: &BodyState<F>,
         memory: &mut Workspace<F>,

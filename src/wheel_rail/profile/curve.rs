@@ -1,8 +1,8 @@
 //! A curve through points, and equal chords of it.
 
-use super::KSTRIP_SURFACE_CAPACITY;
 use crate::number::Float;
 use crate::numerics::hermite::between_parabolas;
+use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Places of the curve between which the ends of chords are looked for: four for each chord.
 const PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
