@@ -148,7 +148,7 @@ impl<'a, F: Float> Rail<'a, F> {
     ) -> Foot<P> {
         let start = |i: usize| under.get(i).copied().flatten().unwrap_or((0, F::zero()));
         let step = P::all(self.surface.step);
-        let first = P::gather(|i| F::widened(start(i).0 as f32));
+        let first = P::gather(|i| F::widened(start(i).0 as u32 as f32));
         let from = self.surface.points(|i| start(i).0);
         let to = self.surface.points(|i| start(i).0 + 1);
         let piece = Piece::new(from, to, step);
