@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws every picture in docs/: figures of the paper, of the tour and of the cookbook, the accuracy
 # report with its maps, the patches, the report of speed against error (its times are those of this
-# machine), the page that computes (in Chromium), the page on
+# machine), the browser demo (in Chromium), the page on
 # Python (with matplotlib; PYTHON names another Python).
 #
 #     scripts/pictures.sh

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the page that computes: one file, target/web/index.html, with the library in WebAssembly
-# inside. Open it in a browser.
+# Builds the browser demo: one file, target/web/index.html, with the library in WebAssembly inside.
+# Open it in a browser.
 #
 #     scripts/web.sh
 #
@@ -21,14 +21,13 @@ mkdir -p "$out"
 skip() { echo "SKIPPED: $*"; exit 77; }
 has() { command -v "$1" > /dev/null 2>&1; }
 
-# What the page calls; everything else is left out of the link.
-exports="contact_from_hertz evaluate field height_for_load linear_coefficients material_combine patch_evaluate patch_field patch_summarize
-    prepare_profile status_string version_string wheel_motion wheel_on_rail wrench_from_contacts"
-# What these calls need: no layers, batches or fits.
+# The features that these functions need.
 features=panic-handler,strip-1967,strip,total,linear,law,patches,wheels
 
-has "$PYTHON" || skip "the page, because there is no python3"
-if ! has "$CARGO"; then skip "the page, because there is no cargo"; fi
+has "$PYTHON" || skip "the browser demo, because there is no python3"
+# The functions that the demo calls; everything else is left out of the link.
+exports=$("$PYTHON" web/calls.py)
+if ! has "$CARGO"; then skip "the browser demo, because there is no cargo"; fi
 
 # Whether rustup has the target, or can add it
 by_rustup() {
@@ -43,14 +42,14 @@ elif [ -d "$($debian --print sysroot 2> /dev/null)/lib/rustlib/src/rust/library/
     RUSTC_BOOTSTRAP=1 RUSTC=$debian "$CARGO" rustc --release --lib --crate-type staticlib --no-default-features --features $features -Z build-std=core \
         --target $triple --target-dir "$out"
 else
-    skip "the page, because there is no Rust for $triple: rustup target add $triple, or apt-get install rustc-web rust-web-src lld"
+    skip "the browser demo, because there is no Rust for $triple: rustup target add $triple, or apt-get install rustc-web rust-web-src lld"
 fi
 
 linker=$(has rustc && ls "$(rustc --print sysroot)"/lib/rustlib/*/bin/gcc-ld/wasm-ld 2> /dev/null | head -n 1 || true)
 [ -n "$linker" ] || linker=$(command -v wasm-ld || ls /usr/bin/wasm-ld-* 2> /dev/null | tail -n 1 || true)
-[ -n "$linker" ] || skip "the page, because there is no wasm-ld: apt-get install lld"
+[ -n "$linker" ] || skip "the browser demo, because there is no wasm-ld: apt-get install lld"
 flags=
-for name in $exports; do flags="$flags --export=kstrip_$name"; done
+for name in $exports; do flags="$flags --export=$name"; done
 # (the stack lies below all data, so that its overflow is a trap)
 # shellcheck disable=SC2086
 "$linker" --no-entry --gc-sections --strip-all --stack-first -z stack-size=1048576 --export=__heap_base $flags \

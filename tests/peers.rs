@@ -421,7 +421,7 @@ proptest! {
     }
 }
 
-/// `tests/web/fastsim.csv`, with which the page that computes compares its own FASTSIM.
+/// `tests/web/fastsim.csv`, with which the browser demo compares its own FASTSIM.
 /// `KSTRIP_WRITE_FASTSIM=1` writes the forces.
 #[test]
 fn the_table_of_the_page_is_that_of_the_reports() {

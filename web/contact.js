@@ -8,10 +8,10 @@ const axesOf = (v) => v.shape === "axes";
 const radiiOf = (v) => v.shape !== "axes";
 const hasLaw = (v) => v.law;
 const materialFields = (body, key) => [
-    { key: `m${key}`, label: `${body}`, kind: "choice", options: [...Object.keys(MATERIALS), "other"], value: "steel",
+    { key: `m${key}`, label: `Material of the ${body}`, kind: "choice", options: [...Object.keys(MATERIALS), "other"], value: "steel",
       sets: (name) => MATERIALS[name] && { [`G${key}`]: MATERIALS[name][0], [`nu${key}`]: MATERIALS[name][1] } },
-    { key: `G${key}`, label: "Shear modulus G", unit: "GPa", power: 9, value: 82, low: 1e-4, high: 300, scale: "log", with: `m${key}` },
-    { key: `nu${key}`, label: "Poisson’s ratio ν", unit: "", power: 0, value: 0.28, low: 0, high: 0.5, scale: "linear", with: `m${key}` },
+    { key: `G${key}`, label: `Shear modulus G of the ${body}`, unit: "GPa", power: 9, value: 82, low: 1e-4, high: 300, scale: "log", with: `m${key}` },
+    { key: `nu${key}`, label: `Poisson’s ratio ν of the ${body}`, unit: "", power: 0, value: 0.28, low: 0, high: 0.5, scale: "linear", with: `m${key}` },
 ];
 
 // The first view: one elliptic contact.
@@ -25,7 +25,7 @@ const contactView = {
         ] },
         { title: "Load and shape", fields: [
             { key: "N", label: "Load N", unit: "kN", power: 3, value: 80, low: 0, high: 250, scale: "linear" },
-            { key: "shape", label: "Ellipse from", kind: "choice", options: { radii: "radii of the bodies", axes: "its semi-axes" }, value: "radii" },
+            { key: "shape", label: "Ellipse from", kind: "choice", options: { radii: "the radii of the bodies", axes: "its semi-axes" }, value: "radii" },
             { key: "ly", label: "Rail head radius", unit: "mm", power: -3, value: 300, high: 10, scale: "radius", when: radiiOf },
             { key: "ux", label: "Wheel rolling radius", unit: "mm", power: -3, value: 460, high: 10, scale: "radius", when: radiiOf },
             { key: "uy", label: "Wheel profile radius", unit: "mm", power: -3, value: Infinity, high: 10, scale: "radius", when: radiiOf },
@@ -35,156 +35,137 @@ const contactView = {
         ] },
         { title: "Friction", fields: [
             { key: "mu", label: "Friction μ", unit: "", power: 0, value: 0.3, low: 0, high: 1, scale: "linear" },
-            { key: "law", label: "Falls with the sliding velocity", kind: "check", value: false },
+            { key: "law", label: "Velocity-dependent (falling) friction", kind: "check", value: false },
             { key: "A", label: "Ratio A (fast to slow)", unit: "", power: 0, value: 0.4, low: 0, high: 1, scale: "linear", when: hasLaw },
             { key: "B", label: "Decay B", unit: "s/m", power: 0, value: 0.6, low: 0, high: 2, scale: "linear", when: hasLaw },
             { key: "V", label: "Rolling speed", unit: "m/s", power: 0, value: 20, low: 0, high: 100, scale: "linear", when: hasLaw },
             { key: "k", label: "Slope factor (layer)", unit: "", power: 0, value: 1, low: 0.05, high: 1, scale: "linear", when: hasLaw },
         ] },
-        { title: "Materials", closed: true, fields: [...materialFields("Rail (lower body)", "1"), ...materialFields("Wheel (upper body)", "2")] },
+        { title: "Materials", closed: true, fields: [...materialFields("rail", "1"), ...materialFields("wheel", "2")] },
         { title: "Pictures", fields: [
-            { key: "model", label: "Patch drawn by", kind: "choice", options: ["STRIP", "STRIP_1967", "STRIP_1967_CONTINUOUS"], value: "STRIP" },
-            { key: "sweep", label: "Curve against", kind: "choice", value: "longitudinal",
+            { key: "model", label: "Model of the patch", kind: "choice", options: ["STRIP", "STRIP_1967", "STRIP_1967_CONTINUOUS"], value: "STRIP" },
+            { key: "sweep", label: "Creep curves against", kind: "choice", value: "longitudinal",
               options: { longitudinal: "longitudinal creepage", lateral: "lateral creepage", spin: "spin" } },
         ] },
     ],
 
-    // Structures of the inputs in the library's memory. Returns { status } where the inputs make no contact.
+    // The inputs as structures in the library's memory.
     prepare(library, v) {
-        const made = {};
         const body = (g, nu) => library.make("kstrip_material", { shear_modulus: g, poisson_ratio: nu });
-        const pair = library.make("kstrip_combined_material");
-        made.status = library.call("material_combine", body(v.G1, v.nu1), body(v.G2, v.nu2), pair);
-        if (made.status < 0) return made;
-        made.contact = library.make("kstrip_contact");
+        const pair = library.make("kstrip_combined_material"), made = { contact: library.make("kstrip_contact"), status: 0 };
+        library.call("material_combine", body(v.G1, v.nu1), body(v.G2, v.nu2), pair);
         if (v.shape === "axes") {
-            library.write("kstrip_contact", made.contact,
-                { a: v.a, b: v.b, normal_force: v.N, friction: v.mu, ...library.read("kstrip_combined_material", pair) });
+            library.write(made.contact, { a: v.a, b: v.b, normal_force: v.N, friction: v.mu, ...library.read(pair) });
         } else {
             const radii = library.make("kstrip_radii", { lower_x: v.lx, lower_y: v.ly, upper_x: v.ux, upper_y: v.uy });
             const ellipse = library.make("kstrip_hertz_contact");
             made.status = library.call("contact_from_hertz", radii, pair, v.N, v.mu, made.contact, ellipse);
-            if (made.status < 0) return made;
-            made.ellipse = library.read("kstrip_hertz_contact", ellipse);
+            made.ellipse = library.read(ellipse);
         }
-        made.values = library.read("kstrip_contact", made.contact);
         made.creepage = library.make("kstrip_creepage", { longitudinal: v.vx, lateral: v.vy, spin: v.phi });
         made.law = v.law
             ? library.make("kstrip_friction", { friction: v.mu, ratio: v.A, decay: v.B, rolling_speed: v.V, slope_factor: v.k })
-            : 0;
+            : null;
         return made;
     },
 
     compute(library, v) {
-        const made = this.prepare(library, v);
-        if (made.status < 0) return { error: library.message(made.status) };
-        const contact = made.values, found = { contact, ellipse: made.ellipse, models: [], warnings: [] };
-        if (made.status > 0) found.warnings.push(["Hertz", library.message(made.status)]);
+        const made = this.prepare(library, v), warnings = [];
+        const found = { contact: library.read(made.contact), ellipse: made.ellipse, models: [], warnings };
+        if (made.status > 0) warnings.push(["Hertz", library.message(made.status)]);
 
         // All models at the creepage of the sliders
-        const options = library.make("kstrip_options"), result = library.make("kstrip_result"), friction = library.allocate(8);
+        const result = library.make("kstrip_result"), friction = library.allocate("double");
         const outputs = library.make("kstrip_outputs", { result, friction });
-        const modelOf = (name) => library.constants[`KSTRIP_MODEL_${name}`];
         for (const name of MODELS) {
-            library.write("kstrip_options", options, { model: modelOf(name) });
-            const status = library.call("evaluate", made.contact, made.creepage, made.law, options, outputs);
-            if (status < 0) return { error: library.message(status) };
-            if (status > 0) found.warnings.push([name, library.message(status)]);
-            found.models.push({ name, ...library.read("kstrip_result", result), friction: library.readDoubles(friction, 1)[0] });
+            const status = library.call("evaluate", made.contact, made.creepage, made.law, this.options(library, name), outputs);
+            if (status > 0) warnings.push([name, library.message(status)]);
+            found.models.push({ name, ...library.read(result), friction: library.read(friction) });
         }
-
-        // Derivatives of the default model
-        const derivatives = library.make("kstrip_derivatives");
-        library.write("kstrip_options", options, { model: modelOf("TOTAL") });
-        library.write("kstrip_outputs", outputs, { derivatives });
-        library.call("evaluate", made.contact, made.creepage, made.law, options, outputs);
-        found.derivatives = library.read("kstrip_derivatives", derivatives);
-        library.write("kstrip_outputs", outputs, { derivatives: 0 });
-
-        this.computePatch(library, v, made, found, options, modelOf(v.model));
-        this.computeCurves(library, v, made, found, options, outputs, result);
+        about("derivatives", () => this.computeDerivatives(library, made, found));
+        about("contact patch", () => this.computePatch(library, v, made, found));
+        about("creep curves", () => this.computeCurves(library, v, made, found));
         return found;
     },
 
-    // Strips and tractions of the model that draws the patch. Under falling friction they have the friction that agrees with the slip.
-    computePatch(library, v, made, found, options, model) {
+    options(library, model, strips = 0) {
+        return library.make("kstrip_options", { model: library.constants[`KSTRIP_MODEL_${model}`], strips });
+    },
+
+    computeDerivatives(library, made, found) {
+        const derivatives = library.make("kstrip_derivatives"), outputs = library.make("kstrip_outputs", { derivatives });
+        library.call("evaluate", made.contact, made.creepage, made.law, this.options(library, "TOTAL"), outputs);
+        found.derivatives = library.read(derivatives);
+    },
+
+    // Strips and tractions of the model that draws the patch.
+    computePatch(library, v, made, found) {
         const { a, b } = found.contact;
         if (!(found.contact.normal_force > 0)) return;
         const capacity = library.constants.KSTRIP_STRIPS_CAPACITY;
-        const strips = library.allocate(capacity * library.structures.kstrip_strip.size), count = library.allocate(4);
-        const friction = library.allocate(8), result = library.make("kstrip_result");
-        const outputs = library.make("kstrip_outputs", { strips, count, capacity, friction, result });
-        library.write("kstrip_options", options, { model, strips: capacity });
-        if (library.call("evaluate", made.contact, made.creepage, made.law, options, outputs) < 0) return;
-        found.strips = library.readAll("kstrip_strip", strips, capacity);
-        const agreed = library.readDoubles(friction, 1)[0];
-        found.patch = { ...library.read("kstrip_result", result), friction: agreed };
+        const strips = library.allocate("kstrip_strip", capacity), count = library.allocate("uint32_t");
+        const result = library.make("kstrip_result"), outputs = library.make("kstrip_outputs", { strips, count, capacity, result });
+        library.call("evaluate", made.contact, made.creepage, made.law, this.options(library, v.model, capacity), outputs);
+        found.strips = library.readAll(strips, library.read(count));
+        found.patch = library.read(result);
 
-        const contact = library.make("kstrip_contact", {
-            ...found.contact, friction: agreed, shear_modulus: found.contact.shear_modulus * (v.law ? v.k : 1),
-        });
+        // A grid of points with one distance in both directions
         const step = Math.max(a, b) / 7.5;
         const line = (half) => Array.from({ length: 2 * Math.floor(half / step - 0.2) + 1 }, (_, i, n = Math.floor(half / step - 0.2)) => (i - n) * step);
-        const xs = line(a), ys = line(b), size = library.structures.kstrip_point.size;
-        const points = library.allocate(xs.length * ys.length * size);
-        library.write("kstrip_options", options, { strips: 0 });
-        if (library.call("field", contact, made.creepage, options, library.doubles(xs), xs.length, library.doubles(ys), ys.length,
-            points, xs.length * ys.length) < 0) return;
-        found.field = library.readAll("kstrip_point", points, xs.length * ys.length)
-            .map((point, i) => ({ ...point, x: xs[i % xs.length], y: ys[Math.floor(i / xs.length)] }));
-        found.step = step;
+        const xs = line(a), ys = line(b), size = xs.length * ys.length, points = library.allocate("kstrip_point", size);
+        library.call("field", made.contact, made.creepage, made.law, this.options(library, v.model),
+            library.doubles(xs), xs.length, library.doubles(ys), ys.length, points, size);
+        found.grid = { xs, ys, step };
+        found.field = library.readAll(points, size).map((point, i) => ({ ...point, x: xs[i % xs.length], y: ys[Math.floor(i / xs.length)] }));
     },
 
-    // Creep curves of all models and the points of FASTSIM.
-    computeCurves(library, v, made, found, options, outputs, result) {
-        const contact = found.contact, { a, b } = contact, bound = contact.friction * contact.normal_force;
-        const current = { longitudinal: v.vx, lateral: v.vy, spin: v.phi };
+    // Creep curves of all models, and points of FASTSIM.
+    computeCurves(library, v, made, found) {
+        const { contact } = found, { a, b } = contact, bound = contact.friction * contact.normal_force;
+        const current = { longitudinal: v.vx, lateral: v.vy, spin: v.phi }, here = current[v.sweep];
         const scale = CREEPAGES[v.sweep][2];
         let most = v.sweep === "spin" ? 2 : 1e-2, kalker = null;
         if (a > 0 && b > 0) {
-            const memory = library.allocate(32);
-            if (library.call("linear_coefficients", a / b, contact.poisson_ratio, memory) >= 0) {
-                kalker = library.readDoubles(memory, 4);
-                const rate = v.sweep === "longitudinal" ? kalker[0] : v.sweep === "lateral" ? kalker[1] : kalker[2] * Math.sqrt(a * b);
-                if (bound > 0) most = (4 * bound) / (contact.shear_modulus * a * b * rate);
-            }
+            const coefficients = library.allocate("double", 4);
+            library.call("linear_coefficients", a / b, contact.poisson_ratio, coefficients);
+            kalker = library.readAll(coefficients, 4);
+            const slope = v.sweep === "longitudinal" ? kalker[0] : v.sweep === "lateral" ? kalker[1] : kalker[2] * Math.sqrt(a * b);
+            if (bound > 0) most = (4 * bound) / (contact.shear_modulus * a * b * slope);
         }
-        most = niceAbove(Math.max(most, 1.1 * Math.abs(current[v.sweep])) / scale) * scale;
+        most = niceAbove(Math.max(most, 1.1 * Math.abs(here)) / scale) * scale;
         const half = v.law ? 24 : 40;
         const places = Array.from({ length: 2 * half + 1 }, (_, i) => Math.sign(i - half) * Math.abs((i - half) / half) ** 1.5 * most);
         const component = v.sweep === "longitudinal" ? "fx" : "fy";
-        const offset = library.structures.kstrip_result.members[component].offset;
-        const member = made.creepage + library.structures.kstrip_creepage.members[v.sweep].offset;
-        const view = new DataView(library.memory.buffer);
-        const at = (name) => {
-            library.write("kstrip_options", options, { model: library.constants[`KSTRIP_MODEL_${name}`] });
-            return places.map((place) => {
-                view.setFloat64(member, place, true);
-                const status = library.call("evaluate", made.contact, made.creepage, made.law, options, outputs);
-                return [place / scale, status < 0 ? NaN : view.getFloat64(result + offset, true)];
+        const result = library.make("kstrip_result"), outputs = library.make("kstrip_outputs", { result });
+        const creepage = library.make("kstrip_creepage", current), force = library.member(result, component);
+        found.curves = MODELS.map((name) => {
+            const options = this.options(library, name);
+            const points = places.map((place) => {
+                library.write(creepage, { [v.sweep]: place });
+                library.call("evaluate", made.contact, creepage, made.law, options, outputs);
+                return [place / scale, library.read(force)];
             });
-        };
-        found.curves = MODELS.map((name) => ({ name, points: at(name) }));
-        view.setFloat64(member, current[v.sweep], true);
+            return { name, points };
+        });
         const others = found.models.map((model) => [model.name, model[component]]);
-        found.curve = { most: most / scale, here: current[v.sweep] / scale, component, others, bound };
+        found.curve = { most: most / scale, here: here / scale, component, others, bound, places };
         if (kalker && !v.law && bound > 0) {
-            const motion = (place) => [v.vx, v.vy, v.phi].map((c, i) => (i === Object.keys(CREEPAGES).indexOf(v.sweep) ? place : c));
+            const motion = (place) => Object.values({ ...current, [v.sweep]: place });
             found.fastsim = Array.from({ length: 21 }, (_, i) => {
                 const place = ((i - 10) / 10) * most;
                 return [place / scale, fastsim(contact, motion(place), kalker)[component]];
             });
-            found.fastsimHere = fastsim(contact, [v.vx, v.vy, v.phi], kalker);
+            found.fastsimHere = fastsim(contact, Object.values(current), kalker);
         }
     },
 
     // The forces of the default model, in words.
     sentence(v, found) {
         const { contact } = found, total = found.models[0], strip = found.models.find((model) => model.name === v.model);
-        if (!(contact.normal_force > 0)) return "The contact is lost: it carries no force.";
+        if (!(contact.normal_force > 0)) return "The contact is lost. It carries no force.";
         const bound = total.friction * contact.normal_force, used = bound > 0 ? Math.hypot(total.fx, total.fy) / bound : 0;
-        const stick = ` ${show(100 * strip.adhesion, 3)} % of the patch sticks (${v.model}).`;
-        return `On the rail: ${direction(total.fx, total.fy)}, ${show(used * 100, 3)} % of friction times load (TOTAL).${stick}`;
+        return `Creep force on the rail (TOTAL): ${direction(total.fx, total.fy)}, ${show(used * 100, 3)} % of the friction bound μN. `
+            + `The stick area is ${show(100 * strip.adhesion, 3)} % of the patch (${v.model}).`;
     },
 
     drawPatch(v, found) {
@@ -208,7 +189,7 @@ const contactView = {
         let arrows = "", faulty = "";
         for (const p of found.field ?? []) {
             if (p.state === 0 || !(largest > 0)) continue;
-            const length = (0.95 * found.step * mm * (atX(1) - atX(0))) / largest;
+            const length = (0.95 * found.grid.step * mm * (atX(1) - atX(0))) / largest;
             const one = arrow(atX(p.y * mm), atY(p.x * mm), p.traction_y * length, -p.traction_x * length, 5);
             if (p.state === 3) faulty += one;
             else arrows += one;
@@ -221,7 +202,7 @@ const contactView = {
             + `<text x="224" y="397">traction on the rail</text></g>`;
         const pressure = (1.5 * found.contact.normal_force) / (Math.PI * a * b);
         return picture(420, 408, title,
-            `ellipse ${show(2 * a * mm, 3)} mm long and ${show(2 * b * mm, 3)} mm wide, peak pressure ${show(pressure / 1e6, 3)} MPa, ${show(found.patch.adhesion * 100, 3)} % sticks`,
+            `ellipse ${show(2 * a * mm, 3)} mm long and ${show(2 * b * mm, 3)} mm wide, peak pressure ${show(pressure / 1e6, 3)} MPa, ${show(found.patch.adhesion * 100, 3)} % stick area`,
             content);
     },
 
@@ -252,7 +233,7 @@ const contactView = {
             ["semi-axis a along x", data(contact.a * mm, "mm")], ["semi-axis b along y", data(contact.b * mm, "mm")],
             ["peak pressure", data((ellipse?.peak_pressure ?? peak) / 1e6, "MPa")],
             ...(ellipse ? [["approach", data(ellipse.approach * 1e6, "µm")]] : []),
-            ["friction times load", data(bound, "N")], ["mismatch κ of the materials", data(contact.mismatch)],
+            ["friction bound μN", data(bound, "N")], ["material mismatch κ", data(contact.mismatch)],
         ].map(([name, value]) => `<div><dt>${name}</dt><dd>${value}</dd></div>`).join("");
         const rows = found.models.map((m) => {
             const limit = m.friction * contact.normal_force;

@@ -23,6 +23,11 @@ function escape(text) {
     return String(text).replace(/[&<>"]/g, (c) => ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[c]);
 }
 
+// A text as a sentence, with a capital letter and a full stop.
+function sentenceOf(text) {
+    return `${text[0].toUpperCase()}${text.slice(1)}${text.endsWith(".") ? "" : "."}`;
+}
+
 // The least of 1, 2, 5 times a power of ten that is at least `value`.
 function niceAbove(value) {
     const power = 10 ** Math.floor(Math.log10(value));

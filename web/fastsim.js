@@ -1,8 +1,8 @@
 "use strict";
 
-// FASTSIM, Kalker's simplified theory, to compare with: J. J. Kalker, Vehicle System Dynamics 11 (1982) 1-13. Ten strips of ten cells,
+// FASTSIM, Kalker's simplified theory, for comparison: J. J. Kalker, Vehicle System Dynamics 11 (1982) 1-13. Ten strips of ten cells,
 // a flexibility for each creepage, parabolic bound, bound and slip at the centres of the cells. tests/peers.rs computes
-// tests/web/fastsim.csv with the method that the project's reports use, and the page is tested against this table.
+// tests/web/fastsim.csv with the method that the project's reports use, and the demo is tested against this table.
 //
 // contact: members of kstrip_contact [SI]. creepage: [longitudinal, lateral, spin]. coefficients: Kalker's C11, C22, C23.
 // Returns fx, fy [N] on the lower body.

@@ -1,10 +1,11 @@
 "use strict";
 
-// Inputs, state, link, copies. `page` is what tests look into.
+// Inputs, state, link, copies. `page` holds the state; the tests read it.
 const page = { views: { contact: contactView, wheel: wheelView }, view: "contact", shown: {}, library: null, milliseconds: 0, ready: null };
 const $ = (id) => document.getElementById(id);
 const fieldsOf = (view) => view.groups.flatMap((group) => group.fields);
 const isNumber = (field) => field.kind === undefined;
+const isUsed = (field, shown) => !field.when || field.when(shown);
 
 // A displayed number in SI units, rounded once: "0.1" per cent is 0.001.
 function inSI(field, value) {
@@ -13,8 +14,14 @@ function inSI(field, value) {
     return Number(`${digits}e${Number(exponent) + field.power}`);
 }
 
+// An input of the user that is not right, in words.
+class InputError extends Error {}
+
+// The inputs in SI units.
 function valuesOf(view) {
     const shown = page.shown[view.name];
+    const bad = fieldsOf(view).find((field) => isUsed(field, shown) && Number.isNaN(shown[field.key]));
+    if (bad) throw new InputError(`“${bad.label}” is not a number.`);
     return Object.fromEntries(fieldsOf(view).map((field) => [field.key, inSI(field, shown[field.key])]));
 }
 
@@ -35,6 +42,8 @@ function rounded(field, value) {
     return Number(value.toPrecision(3)) + 0;
 }
 
+const FILE_HINT = "Drop a file here, or choose one: columns y and z, .prr, .prw, .ban, .whl.";
+
 function makeRow(view, field) {
     const row = document.createElement("div"), id = `${view.name}-${field.key}`;
     row.className = `row ${field.kind ?? "number"}`;
@@ -51,10 +60,10 @@ function makeRow(view, field) {
         row.querySelector("input").addEventListener("change", (event) => change(view, field, event.target.checked));
     } else if (field.kind === "file") {
         row.innerHTML = `<label for="${id}">${field.label}: <span class="now"></span></label><input type="file" id="${id}" aria-describedby="${id}-notes">`
-            + `<p class="notes" id="${id}-notes" role="status">Drop a file here, or choose one: columns y and z, .prr, .prw, .ban, .whl.</p>`
+            + `<p class="notes" id="${id}-notes" role="status">${FILE_HINT}</p>`
             + `<div class="tools" hidden><button type="button" class="mirror">Mirror y</button><button type="button" class="turn">Turn z</button><button type="button" class="builtin">Back to ${field.builtin}</button></div>`;
         row.querySelector("input").addEventListener("change", (event) => event.target.files[0] && readFile(field.key, event.target.files[0]));
-        row.querySelector(".builtin").addEventListener("click", () => useProfile(field.key, field.builtin, PROFILES[field.builtin], ""));
+        row.querySelector(".builtin").addEventListener("click", () => useProfile(field.key, field.builtin, PROFILES[field.builtin], FILE_HINT));
         const negated = (axis) => () => {
             const points = wheelView.points[field.key], turned = { y: points.y, z: points.z, [axis]: points[axis].map((one) => -one) };
             useProfile(field.key, page.shown.wheel[field.key], turned, axis === "y" ? "y was mirrored." : "z was turned.");
@@ -69,9 +78,10 @@ function makeRow(view, field) {
             + `<span class="unit" aria-hidden="true">${field.unit}</span>`;
         const [slider, number] = row.querySelectorAll("input");
         slider.addEventListener("input", () => change(view, field, rounded(field, sliders[field.scale].from(field, Number(slider.value)))));
+        // An empty radius is flat; any other text that is no number is NaN, and valuesOf() refuses it
         number.addEventListener("input", () => {
-            const value = number.value.trim() === "" && field.scale === "radius" ? Infinity : number.valueAsNumber;
-            if (!Number.isNaN(value)) change(view, field, value, number);
+            const isFlat = field.scale === "radius" && number.value === "" && !number.validity.badInput;
+            change(view, field, isFlat ? Infinity : number.valueAsNumber, number);
         });
         number.addEventListener("change", () => showInputs(view));
         // An arrow key moves a number by one in its second digit
@@ -116,7 +126,10 @@ function makeControls(view) {
 
 function setDefaults(view) {
     page.shown[view.name] = Object.fromEntries(fieldsOf(view).map((field) => [field.key, field.value]));
-    if (view === wheelView) view.points = { rail: PROFILES["60E1"], wheel: PROFILES.S1002 };
+    for (const { key, builtin } of fieldsOf(view).filter((field) => field.kind === "file")) {
+        view.points[key] = PROFILES[builtin];
+        showNotes($(`${view.name}-${key}-notes`), FILE_HINT);
+    }
 }
 
 function change(view, field, value, typed) {
@@ -131,7 +144,7 @@ function showInputs(view, typed) {
     const shown = page.shown[view.name];
     for (const field of fieldsOf(view)) {
         const input = $(`${view.name}-${field.key}`), row = input.closest(".row"), value = shown[field.key];
-        if (field.when) row.hidden = !field.when(shown);
+        row.hidden = !isUsed(field, shown);
         if (field.kind === "choice") input.value = value;
         else if (field.kind === "check") input.checked = value;
         else if (field.kind === "file") {
@@ -139,20 +152,25 @@ function showInputs(view, typed) {
             row.querySelector(".tools").hidden = value === field.builtin;
         } else {
             const [low, high] = sliders[field.scale].range;
+            const number = $(`${input.id}-number`);
+            number.setAttribute("aria-invalid", String(Number.isNaN(value)));
+            if (number !== typed) number.value = Number.isFinite(value) ? value : "";
+            if (Number.isNaN(value)) continue;
             input.value = Math.max(low, Math.min(high, Math.round(sliders[field.scale].to(field, value))));
             input.setAttribute("aria-valuetext", Number.isFinite(value) ? `${show(value)} ${field.unit}` : "flat");
-            const number = $(`${input.id}-number`);
-            if (number !== typed) number.value = Number.isFinite(value) ? value : "";
         }
     }
 }
 
 // ---------------------------------------------------------------- profiles
 
+function showNotes(element, notes, isBad = false) {
+    element.textContent = notes;
+    element.classList.toggle("problem", isBad);
+}
+
 function useProfile(kind, name, points, notes, isBad = false) {
-    const row = $(`wheel-${kind}`).closest(".row"), text = row.querySelector(".notes");
-    text.textContent = notes;
-    text.classList.toggle("problem", isBad);
+    showNotes($(`wheel-${kind}-notes`), notes, isBad);
     if (isBad) return;
     wheelView.points[kind] = points;
     page.shown.wheel[kind] = name;
@@ -162,15 +180,13 @@ function useProfile(kind, name, points, notes, isBad = false) {
 
 async function readFile(kind, file) {
     try {
-        const points = readProfile(await file.text(), kind === "wheel");
+        const points = readProfile(await file.text(), kind === "wheel"), smooth = page.shown.wheel.smooth * 1e-3 || 0;
         page.library.release();
-        const memory = page.library.make("kstrip_surface");
-        const [y, z] = [points.y, points.z].map((all) => page.library.doubles(all.map((one) => one * 1e-3)));
-        const status = page.library.call("prepare_profile", y, z, points.y.length, 0, valuesOf(wheelView).smooth, memory);
-        if (status < 0) throw new Error(page.library.message(status));
+        const [y, z] = [points.y, points.z].map((all) => all.map((one) => one * 1e-3));
+        wheelView.prepareProfile(page.library, y, z, smooth, page.library.make("kstrip_surface"));
         useProfile(kind, file.name, points, `${points.notes.join("; ")}.`);
     } catch (error) {
-        useProfile(kind, file.name, null, `${file.name} was not read. ${error.message}`, true);
+        useProfile(kind, file.name, null, `${file.name} was not read. ${sentenceOf(error.message)}`, true);
     }
     $(`wheel-${kind}`).value = "";
 }
@@ -199,7 +215,7 @@ function acceptDrops() {
 
 function linkOf(view) {
     const shown = page.shown[view.name];
-    const parts = fieldsOf(view).filter((field) => !Object.is(shown[field.key], field.value))
+    const parts = fieldsOf(view).filter((field) => !Object.is(shown[field.key], field.value) && !Number.isNaN(shown[field.key]))
         .map((field) => `${field.key}=${encodeURIComponent(shown[field.key] === Infinity ? "flat" : shown[field.key])}`);
     return `#${[view.name, ...parts].join("&")}`;
 }
@@ -208,12 +224,11 @@ function readLink() {
     const [name, ...parts] = location.hash.slice(1).split("&");
     const view = page.views[name];
     if (!view) return;
-    const given = Object.fromEntries(parts.map((part) => part.split("=").map(decodeURIComponent)));
-    const points = view.points;
+    const given = new URLSearchParams(parts.join("&"));
     setDefaults(view);
     for (const field of fieldsOf(view)) {
-        const text = given[field.key];
-        if (text === undefined) continue;
+        const text = given.get(field.key);
+        if (text === null) continue;
         if (isNumber(field)) {
             const value = text === "flat" ? Infinity : Number(text);
             if (!Number.isNaN(value) && text !== "") page.shown[name][field.key] = value;
@@ -224,7 +239,6 @@ function readLink() {
             useProfile(field.key, text, null, `The link was made with the file ${text}. Drop this file here; ${field.builtin} is shown.`, true);
         }
     }
-    if (view === wheelView && points !== view.points) view.points = { ...view.points };
     showInputs(view);
     choose(name);
 }
@@ -266,24 +280,31 @@ const speak = later(700, () => {
         .filter((one) => !one.hidden).map((one) => one.textContent).join(" ");
 });
 
+// Computes and draws. An error is shown in place of all results: no part of an earlier result stays on display.
 function update() {
-    const start = performance.now(), view = page.views[page.view], values = valuesOf(view);
-    page.library.release();
-    const found = view.compute(page.library, values);
-    page.found = found;
+    const start = performance.now(), view = page.views[page.view];
     const panel = $(`view-${view.name}`), at = (name) => panel.querySelector(`[data-at=${name}]`);
-    at("problem").hidden = !found.error;
-    at("problem").textContent = found.error ?? "";
-    at("sentence").hidden = at("warnings").hidden = Boolean(found.error);
-    for (const part of panel.querySelectorAll(".computed, .pictures figure")) part.classList.toggle("stale", Boolean(found.error));
-    for (const id of ["copy-c", "copy-python"]) $(id).disabled = Boolean(found.error);
-    if (!found.error) {
-        view.draw(values, found, at);
-        at("sentence").textContent = view.sentence(values, found);
-        at("warnings").innerHTML = found.warnings.length === 0 ? '<li class="none">No warnings.</li>'
-            : found.warnings.map(([name, text]) => `<li><b>${name}</b>: ${escape(text)}</li>`).join("");
-        if ($("show").open) showProgram();
+    page.library.release();
+    try {
+        const values = valuesOf(view);
+        page.found = view.compute(page.library, values);
+        view.draw(values, page.found, at);
+        at("sentence").textContent = view.sentence(values, page.found);
+        at("warnings").innerHTML = page.found.warnings.length === 0 ? '<li class="none">No warnings.</li>'
+            : page.found.warnings.map(([name, text]) => `<li><b>${name}</b>: ${escape(text)}.</li>`).join("");
+    } catch (error) {
+        const isExpected = error instanceof InputError || error instanceof StatusError;
+        if (!isExpected) reportError(error);
+        page.found = { error: sentenceOf(isExpected ? error.message : `the demo has a fault here: ${error.message}`) };
     }
+    const isBad = Boolean(page.found.error);
+    at("problem").hidden = !isBad;
+    at("problem").textContent = page.found.error ?? "";
+    at("sentence").hidden = at("warnings").hidden = isBad;
+    for (const part of panel.querySelectorAll(".computed, .pictures figure")) part.classList.toggle("empty", isBad);
+    for (const id of ["copy-c", "copy-python"]) $(id).disabled = isBad;
+    $("copied").textContent = "";
+    if ($("show").open) showProgram();
     page.milliseconds = performance.now() - start;
     saveLink();
     speak();
@@ -304,7 +325,7 @@ async function copy(text, what) {
     try {
         await navigator.clipboard.writeText(text);
     } catch {
-        // Without permission: the old way
+        // Without permission for the clipboard, a selection is copied
         const area = document.createElement("textarea");
         area.value = text;
         document.body.append(area);
@@ -345,13 +366,13 @@ async function begin() {
         const packed = Uint8Array.from(atob(WASM), (c) => c.charCodeAt(0));
         const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
         const { instance } = await WebAssembly.instantiate(await new Response(stream).arrayBuffer(), {});
-        page.library = new Library(instance, LAYOUT);
+        page.library = new Library(instance, HEADER);
     } catch (error) {
         $("broken").hidden = false;
         $("broken").textContent = `This browser cannot run the library (${error.message}). A browser from 2023 or later with WebAssembly is needed.`;
         return;
     }
-    $("version").textContent = page.library.version();
+    $("version").textContent = page.library.call("version_string");
     for (const view of Object.values(page.views)) {
         makeControls(view);
         setDefaults(view);

@@ -1,6 +1,6 @@
 "use strict";
 
-// Programs in C and Python that compute what the page shows and print it with all digits.
+// Programs in C and Python that compute the numbers of the demo and print them with all digits.
 const programs = {
     c(view, v, found) {
         return view.name === "contact" ? this.contactInC(v, found) : this.wheelInC(v, found);
@@ -23,7 +23,7 @@ const programs = {
     check(kstrip_contact_from_hertz(&radii, &pair, ${n(v.N)}, ${n(v.mu)}, &contact, NULL));`;
         const law = v.law ? `
     kstrip_friction law = {.friction = ${n(v.mu)}, .ratio = ${n(v.A)}, .decay = ${n(v.B)}, .rolling_speed = ${n(v.V)}, .slope_factor = ${n(v.k)}};` : "";
-        return `/* Made by kstrip's page. After \`make\`: cc program.c -Iinclude target/lib/libkstrip.a -lm -o program && ./program */
+        return `/* Written by the browser demo of kstrip. After \`make\`: cc program.c -Iinclude target/lib/libkstrip.a -lm -o program && ./program */
 #include "kstrip.h"
 #include <math.h>
 #include <stdio.h>
@@ -70,7 +70,7 @@ contact, ellipse = kstrip.contact_from_hertz(radii, pair, load=${n(v.N)}, fricti
         const law = v.law
             ? `law = kstrip.friction(${n(v.mu)}, ratio=${n(v.A)}, decay=${n(v.B)}, rolling_speed=${n(v.V)}, slope_factor=${n(v.k)})`
             : "law = None";
-        return `# Made by kstrip's page. After \`make\`: PYTHONPATH=bindings/python python3 program.py   (or: pip install ./bindings/python)
+        return `# Written by the browser demo of kstrip. After \`make\`: PYTHONPATH=bindings/python python3 program.py   (or: pip install ./bindings/python)
 import kstrip
 
 pair = kstrip.combine((${n(v.G1)}, ${n(v.nu1)}), (${n(v.G2)}, ${n(v.nu2)}))  # rail, wheel: shear modulus [Pa], Poisson's ratio
@@ -96,7 +96,7 @@ for name in ("TOTAL", "STRIP", "STRIP_1967", "STRIP_1967_CONTINUOUS", "LINEAR"):
         const n = this.inC, { pair, position, velocity, load } = found.inputs;
         const array = (name, values) => `static const double ${name}[] = {\n${this.list(values)}\n};`;
         const rail = wheelView.pointsOf("rail", v), wheel = wheelView.pointsOf("wheel", v);
-        return `/* Made by kstrip's page. After \`make\`: cc program.c -Iinclude target/lib/libkstrip.a -lm -o program && ./program */
+        return `/* Written by the browser demo of kstrip. After \`make\`: cc program.c -Iinclude target/lib/libkstrip.a -lm -o program && ./program */
 #include "kstrip.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -124,7 +124,7 @@ int main(void)
                               .friction = ${n(pair.friction)}, .left = ${pair.left}, .smoothing_length = ${n(pair.smoothing_length)}, .model = KSTRIP_MODEL_${v.m}};
     kstrip_wheel_position position = {.lateral = ${n(position.lateral)}, .yaw = ${n(position.yaw)}};
     kstrip_wheel_velocity velocity = {.forward = ${n(velocity.forward)}, .lateral = ${n(velocity.lateral)}, .pitch = ${n(velocity.pitch)}};
-    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, ${n(load)}, NULL, NULL, &workspace, &position.vertical));
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, ${n(load)}, &velocity, NULL, &workspace, &position.vertical));
     kstrip_wrench on_wheel;
     check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &on_wheel, NULL, NULL));
     printf("vertical %.17g m\\n", position.vertical);
@@ -141,7 +141,7 @@ int main(void)
         const n = this.inPython, { pair, position, velocity, load } = found.inputs;
         const array = (name, values) => `${name} = [\n${this.list(values)}\n]`;
         const rail = wheelView.pointsOf("rail", v), wheel = wheelView.pointsOf("wheel", v);
-        return `# Made by kstrip's page. After \`make\`: PYTHONPATH=bindings/python python3 program.py   (or: pip install ./bindings/python)
+        return `# Written by the browser demo of kstrip. After \`make\`: PYTHONPATH=bindings/python python3 program.py   (or: pip install ./bindings/python)
 import kstrip
 
 # Profiles of a right wheel [m]: ${v.rail}, ${v.wheel}
@@ -156,7 +156,7 @@ pair = kstrip.wheel_pair(wheel_radius=${n(pair.wheel_radius)}, shear_modulus=${n
                          friction=${n(pair.friction)}, left=${pair.left ? "True" : "False"}, smoothing_length=${n(pair.smoothing_length)}, model="${v.m.toLowerCase()}")
 position = kstrip.wheel_position(lateral=${n(position.lateral)}, yaw=${n(position.yaw)})
 velocity = kstrip.wheel_velocity(forward=${n(velocity.forward)}, lateral=${n(velocity.lateral)}, pitch=${n(velocity.pitch)})
-position["vertical"] = kstrip.height_for_load(rail, wheel, pair, position, ${n(load)})
+position["vertical"] = kstrip.height_for_load(rail, wheel, pair, position, ${n(load)}, velocity)
 found = kstrip.wheel_on_rail(rail, wheel, pair, position, velocity)
 print("vertical", repr(float(position["vertical"])), "m")
 print("force", *map(repr, found.wrench["force"].tolist()), "N")

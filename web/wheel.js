@@ -7,20 +7,20 @@ const wheelView = {
         { title: "Position", fields: [
             { key: "shift", label: "Lateral shift to the right", unit: "mm", power: -3, value: 2, low: -12, high: 12, scale: "linear" },
             { key: "yaw", label: "Yaw to the right", unit: "mrad", power: -3, value: 2, low: -30, high: 30, scale: "linear" },
-            { key: "Q", label: "Load of the wheel", unit: "kN", power: 3, value: 80, low: 1, high: 200, scale: "linear" },
+            { key: "Q", label: "Vertical load Q (the rail’s support)", unit: "kN", power: 3, value: 80, low: 1, high: 200, scale: "linear" },
             { key: "side", label: "Wheel", kind: "choice", options: { right: "right wheel", left: "left wheel" }, value: "right" },
         ] },
         { title: "Motion", fields: [
             { key: "v", label: "Speed", unit: "m/s", power: 0, value: 20, low: 0.1, high: 100, scale: "linear" },
-            { key: "turn", label: "Axle turns faster than it rolls by", unit: "%", power: -2, value: 0, high: 3, scale: "cube" },
+            { key: "turn", label: "Axle speed above that of pure rolling", unit: "%", power: -2, value: 0, high: 3, scale: "cube" },
             { key: "drift", label: "Lateral velocity", unit: "mm/s", power: -3, value: 0, high: 300, scale: "cube" },
         ] },
         { title: "Profiles", fields: [
             { key: "rail", label: "Rail", kind: "file", builtin: "60E1", value: "60E1" },
             { key: "wheel", label: "Wheel", kind: "file", builtin: "S1002", value: "S1002" },
             { key: "R", label: "Wheel radius", unit: "mm", power: -3, value: 460, low: 150, high: 650, scale: "linear" },
-            { key: "origin", label: "Rail’s origin, outward from the running circle", unit: "mm", power: -3, value: 10.5325, low: -40, high: 40, scale: "linear" },
-            { key: "cant", label: "Rail turned by", unit: "mrad", power: -3, value: 0, low: -60, high: 60, scale: "linear" },
+            { key: "origin", label: "Rail origin, outward from the running circle", unit: "mm", power: -3, value: 10.5325, low: -40, high: 40, scale: "linear" },
+            { key: "cant", label: "Roll angle added to the rail", unit: "mrad", power: -3, value: 0, low: -60, high: 60, scale: "linear" },
             { key: "smooth", label: "Smoothing of measured profiles", unit: "mm", power: -3, value: 0, low: 0, high: 8, scale: "linear" },
         ] },
         { title: "Friction and material", closed: true, fields: [
@@ -31,7 +31,7 @@ const wheelView = {
         ] },
     ],
     // Points [mm] of the profiles in use: { y, z }
-    points: { rail: PROFILES["60E1"], wheel: PROFILES.S1002 },
+    points: {},
 
     // Points of a profile [m], as the library and the copied programs get them.
     pointsOf(kind, v) {
@@ -47,24 +47,25 @@ const wheelView = {
     // Prepared profiles and the workspace stay in memory; a profile is prepared again when it changes.
     prepare(library, v) {
         if (!this.memory) {
-            const size = (name) => library.structures[name].size;
             library.release();
             this.memory = {
-                rail: library.allocate(size("kstrip_surface")), wheel: library.allocate(size("kstrip_surface")),
-                workspace: library.allocate(size("kstrip_wheel_workspace")), of: {},
+                rail: library.make("kstrip_surface"), wheel: library.make("kstrip_surface"), workspace: library.make("kstrip_wheel_workspace"), of: {},
             };
             library.keep();
         }
         for (const kind of ["rail", "wheel"]) {
             const key = kind === "rail" ? v.cant : 0, of = this.memory.of[kind];
             if (of && of.points === this.points[kind] && of.key === key && of.smooth === v.smooth) continue;
-            const points = this.pointsOf(kind, v);
-            const status = library.call("prepare_profile", library.doubles(points.y), library.doubles(points.z), points.y.length, 0, v.smooth,
-                this.memory[kind]);
-            if (status < 0) return `The profile of the ${kind}: ${library.message(status)}`;
+            delete this.memory.of[kind];
+            const { y, z } = this.pointsOf(kind, v);
+            about(`profile of the ${kind}`, () => this.prepareProfile(library, y, z, v.smooth, this.memory[kind]));
             this.memory.of[kind] = { points: this.points[kind], key, smooth: v.smooth };
         }
-        return null;
+    },
+
+    // y, z: points [m]. smooth: smoothing length [m].
+    prepareProfile(library, y, z, smooth, surface) {
+        return library.call("prepare_profile", library.doubles(y), library.doubles(z), y.length, 0, smooth, surface);
     },
 
     // Inputs of the library, as the copied programs have them too.
@@ -79,87 +80,85 @@ const wheelView = {
     },
 
     compute(library, v) {
-        const wrong = this.prepare(library, v);
-        if (wrong) return { error: wrong };
+        this.prepare(library, v);
         const inputs = this.inputs(v), { rail, wheel, workspace } = this.memory;
         const model = library.constants[`KSTRIP_MODEL_${v.m}`];
         const pair = library.make("kstrip_wheel_pair", { ...inputs.pair, model });
         const position = library.make("kstrip_wheel_position", inputs.position);
         const velocity = library.make("kstrip_wheel_velocity", inputs.velocity);
-        const vertical = position + library.structures.kstrip_wheel_position.members.vertical.offset;
+        const vertical = library.member(position, "vertical"), wrench = library.make("kstrip_wrench");
         const warnings = [];
-        const says = (name, status) => {
-            if (status > 0 && !warnings.some((one) => one[1] === library.message(status))) warnings.push([name, library.message(status)]);
-            return status;
+        const warn = (name, status) => {
+            const text = library.message(status);
+            if (status > 0 && !warnings.some((one) => one[1] === text)) warnings.push([name, text]);
         };
-        if (says("Height", library.call("height_for_load", rail, wheel, pair, position, inputs.load, 0, 0, workspace, vertical)) < 0) {
-            return { error: "The rail does not carry this load here: " + library.message(library.call("height_for_load", rail, wheel, pair, position, inputs.load, 0, 0, workspace, vertical)) };
-        }
-        const wrench = library.make("kstrip_wrench");
-        const status = says("Wheel on rail", library.call("wheel_on_rail", rail, wheel, pair, position, velocity, 0, workspace, wrench, 0, 0));
-        if (status < 0) return { error: library.message(status) };
+        warn("Height", library.call("height_for_load", rail, wheel, pair, position, inputs.load, velocity, null, workspace, vertical));
+        warn("Wheel on rail", library.call("wheel_on_rail", rail, wheel, pair, position, velocity, null, workspace, wrench, null, null));
 
-        const space = library.structures.kstrip_wheel_workspace.members, contactSize = library.structures.kstrip_wheel_contact.size;
-        const count = new DataView(library.memory.buffer).getUint32(workspace + space.count.offset, true);
-        const found = { wrench: library.read("kstrip_wrench", wrench), position: library.read("kstrip_wheel_position", position), warnings, inputs, contacts: [] };
+        const found = { wrench: library.read(wrench), position: library.read(position), warnings, inputs, contacts: [] };
+        const count = library.read(library.member(workspace, "count")), contacts = library.member(workspace, "contacts");
         for (let i = 0; i < count; i++) {
-            found.contacts.push(this.contactAt(library, v, workspace + space.contacts.offset + i * contactSize, velocity, says));
+            found.contacts.push(about(`contact ${i + 1}`, () => this.contactAt(library, library.element(contacts, i), velocity, model, warn)));
         }
         return found;
     },
 
     // One contact: place, creepages, forces, strips and tractions.
-    contactAt(library, v, pointer, velocity, says) {
-        const contact = library.read("kstrip_wheel_contact", pointer);
-        const patch = pointer + library.structures.kstrip_wheel_contact.members.patch.offset;
-        const motion = library.make("kstrip_motion"), result = library.make("kstrip_result"), summary = library.make("kstrip_patch_summary");
+    contactAt(library, pointer, velocity, model, warn) {
+        const contact = library.read(pointer), patch = library.member(pointer, "patch");
+        const motion = library.make("kstrip_motion"), summary = library.make("kstrip_patch_summary");
         library.call("wheel_motion", pointer, velocity, motion);
-        contact.motion = library.read("kstrip_motion", motion);
+        contact.motion = library.read(motion);
         const speed = Math.abs(contact.motion.rolling_speed) || 1;
         contact.creepages = [contact.motion.slip_x, contact.motion.slip_y, contact.motion.spin_rate].map((one) => one / speed);
-        const creepage = library.make("kstrip_creepage", Object.fromEntries(Object.keys(CREEPAGES).map((key, i) => [key, contact.creepages[i]])));
         library.call("patch_summarize", patch, summary);
-        contact.summary = library.read("kstrip_patch_summary", summary);
+        contact.summary = library.read(summary);
         contact.strips = contact.patch.strips.slice(0, contact.patch.count);
         contact.peak = Math.max(0, ...contact.strips.map((strip) => strip.peak_pressure));
+        this.computeStrips(library, contact, patch, warn);
 
-        // Strips and tractions are those of STRIP at the mean slip
-        const capacity = library.constants.KSTRIP_PATCH_CAPACITY;
-        const forces = library.allocate(capacity * library.structures.kstrip_strip.size), number = library.allocate(4);
-        const outputs = library.make("kstrip_outputs", { result, strips: forces, count: number, capacity });
-        const options = library.make("kstrip_options", { model: library.constants.KSTRIP_MODEL_STRIP });
-        says("Patch", library.call("patch_evaluate", patch, creepage, 0, options, outputs));
-        contact.result = library.read("kstrip_result", result);
-        contact.forces = library.readAll("kstrip_strip", forces, contact.patch.count);
-        // The wrench of this contact alone, without its pressure: creep forces in its plane
-        library.write("kstrip_wheel_contact", pointer, { share: 1 });
+        // The wrench of this contact alone: its pressure is along the normal, its creep forces are in the plane of the contact
         const wrench = library.make("kstrip_wrench");
-        says("Contact", library.call("wrench_from_contacts", pointer, 1, velocity, library.constants[`KSTRIP_MODEL_${v.m}`], 0, wrench, 0));
-        library.write("kstrip_wheel_contact", pointer, { share: contact.share });
-        const [x, y, z] = library.read("kstrip_wrench", wrench).force, right = v.side === "left" ? -y : y;
+        library.write(pointer, { share: 1 });
+        warn("Contact", library.call("wrench_from_contacts", pointer, 1, velocity, model, null, wrench, null));
+        library.write(pointer, { share: contact.share });
+        const [x, y, z] = library.read(wrench).force, right = contact.left ? -y : y;
         contact.result.fx = -x;
         contact.result.fy = -right * Math.cos(contact.angle) - z * Math.sin(contact.angle);
-        const ys = contact.strips.map((strip) => strip.y), low = Math.min(...contact.strips.map((s) => s.centre_x - s.half_length));
-        const high = Math.max(...contact.strips.map((s) => s.centre_x + s.half_length));
-        const step = (high - low) / 13, xs = Array.from({ length: 13 }, (_, i) => low + (i + 0.5) * step);
-        const every = Math.max(1, Math.round(step / (contact.strips[0]?.width ?? step))), rows = ys.filter((_, i) => i % every === every >> 1);
-        const points = library.allocate(xs.length * rows.length * library.structures.kstrip_point.size);
-        contact.field = rows.length > 0 && library.call("patch_field", patch, creepage, options, library.doubles(xs), xs.length,
-            library.doubles(rows), rows.length, points, xs.length * rows.length) >= 0
-            ? library.readAll("kstrip_point", points, xs.length * rows.length).map((p, i) => ({ ...p, x: xs[i % xs.length], y: rows[Math.floor(i / xs.length)] }))
-            : [];
-        contact.step = step;
         return contact;
+    },
+
+    // Strips and tractions of STRIP at the mean slip of a contact.
+    computeStrips(library, contact, patch, warn) {
+        const creepage = library.make("kstrip_creepage", Object.fromEntries(Object.keys(CREEPAGES).map((key, i) => [key, contact.creepages[i]])));
+        const options = library.make("kstrip_options", { model: library.constants.KSTRIP_MODEL_STRIP });
+        const capacity = library.constants.KSTRIP_PATCH_CAPACITY;
+        const result = library.make("kstrip_result"), strips = library.allocate("kstrip_strip", capacity), count = library.allocate("uint32_t");
+        const outputs = library.make("kstrip_outputs", { result, strips, count, capacity });
+        warn("Patch", library.call("patch_evaluate", patch, creepage, null, options, outputs));
+        contact.result = library.read(result);
+        contact.forces = library.readAll(strips, library.read(count));
+
+        // Thirteen points along x, and in the middle of each strip or of each second, third .. strip
+        const low = Math.min(...contact.strips.map((s) => s.centre_x - s.half_length));
+        const high = Math.max(...contact.strips.map((s) => s.centre_x + s.half_length));
+        const step = (high - low) / 13, every = Math.max(1, Math.round(step / contact.strips[0].width));
+        const xs = Array.from({ length: 13 }, (_, i) => low + (i + 0.5) * step);
+        const ys = contact.strips.map((strip) => strip.y).filter((_, i) => i % every === every >> 1);
+        const size = xs.length * ys.length, points = library.allocate("kstrip_point", size);
+        library.call("patch_field", patch, creepage, null, options, library.doubles(xs), xs.length, library.doubles(ys), ys.length, points, size);
+        contact.grid = { xs, ys, step };
+        contact.field = library.readAll(points, size).map((p, i) => ({ ...p, x: xs[i % xs.length], y: ys[Math.floor(i / xs.length)] }));
     },
 
     sentence(v, found) {
         const { wrench, contacts } = found;
-        if (contacts.length === 0) return "The wheel is lifted: nothing acts on it.";
+        if (contacts.length === 0) return "The wheel is lifted. No force acts on it.";
         const places = contacts.length === 1 ? "one contact" : `${contacts.length} contacts`;
         const worst = contacts.reduce((most, one) => (one.normal_force > most.normal_force ? one : most));
         return `${places[0].toUpperCase()}${places.slice(1)}. On the wheel: ${direction(wrench.force[0], wrench.force[1])}, `
             + `${show(Math.abs(wrench.force[2]))} N ${wrench.force[2] < 0 ? "up" : "down"}. `
-            + `The contact with most load has ${show(worst.peak / 1e6, 3)} MPa at ${show((worst.angle * 180) / Math.PI, 3)}°.`;
+            + `The most loaded contact has a peak pressure of ${show(worst.peak / 1e6, 3)} MPa and a contact angle of ${show((worst.angle * 180) / Math.PI, 3)}°.`;
     },
 
     // Both profiles across the track [mm], with contacts and the forces of the pressure. A left wheel is the mirror image.
@@ -188,10 +187,33 @@ const wheelView = {
         return picture(width, height, "Wheel and rail", said.join("; ") || "no contact", content);
     },
 
-    // Each contact, drawn along its normal: pressure by shade, slip and stick, tractions on the rail.
+    // The outline of the stick area of a contact: from the separatrix of each strip to its leading edge, around strips side by side.
+    stickArea(contact, atX, atY) {
+        let d = "", ahead = [], behind = [], end = NaN;
+        const close = () => {
+            if (ahead.length > 0) d += `M${[...ahead, ...behind.reverse()].map((point) => point.map((one) => one.toFixed(1)).join(" ")).join("L")}Z`;
+            [ahead, behind] = [[], []];
+        };
+        contact.forces.forEach((force, k) => {
+            const strip = contact.strips[k], sides = [strip.y - strip.width / 2, strip.y + strip.width / 2];
+            const separatrix = Math.max(force.separatrix, strip.centre_x - strip.half_length), lead = strip.centre_x + strip.half_length;
+            const sticks = force.state === 1 && separatrix < lead;
+            if (!sticks || Math.abs(sides[0] - end) > 1e-3 * strip.width) close();
+            if (!sticks) return;
+            for (const side of sides) {
+                ahead.push([atX(side), atY(lead)]);
+                behind.push([atX(side), atY(separatrix)]);
+            }
+            end = sides[1];
+        });
+        close();
+        return d;
+    },
+
+    // Each contact in its plane: pressure by strength of the colour, the stick area, tractions on the rail.
     drawPatches(v, found) {
         const mm = 1e3, contacts = found.contacts;
-        if (contacts.length === 0) return picture(560, 120, "Patches", "no contact", `<text class="label" x="280" y="64" text-anchor="middle">no contact</text>`);
+        if (contacts.length === 0) return picture(560, 120, "Contact patches", "no contact", `<text class="label" x="280" y="64" text-anchor="middle">no contact</text>`);
         const ends = contacts.map((c) => ({
             left: Math.min(...c.strips.map((s) => s.y - s.width / 2)) * mm, right: Math.max(...c.strips.map((s) => s.y + s.width / 2)) * mm,
             low: Math.min(...c.strips.map((s) => s.centre_x - s.half_length)) * mm, high: Math.max(...c.strips.map((s) => s.centre_x + s.half_length)) * mm,
@@ -200,43 +222,41 @@ const wheelView = {
         const scale = Math.min(480 / wide, 215 / tall), height = 300, sign = v.side === "left" ? -1 : 1;
         const peak = Math.max(...contacts.map((c) => c.peak));
         let cursor = (560 - wide * scale) / 2 + gap * scale, svg = "";
-        const middle = 138;
+        const middle = 138, strength = (n) => (0.1 + 0.11 * n).toFixed(2);
         contacts.forEach((c, i) => {
             const e = ends[i], centre = (e.low + e.high) / 2;
             const atX = (y) => cursor + (sign > 0 ? y - e.left : e.right - y) * scale, atY = (x) => middle - (x - centre) * scale;
-            const shades = Array.from({ length: 8 }, () => ""), cells = 12;
-            let edges = "", outline = "";
-            c.strips.forEach((s, k) => {
+            const levels = Array.from({ length: 8 }, () => ""), cells = 12;
+            let outline = "";
+            c.strips.forEach((s) => {
                 const [x0, x1] = [atX((s.y - s.width / 2) * mm), atX((s.y + s.width / 2) * mm)].sort((p, q) => p - q);
                 for (let j = 0; j < cells; j++) {
                     const t = (j + 0.5) / cells * 2 - 1, p = (s.peak_pressure * Math.sqrt(1 - t * t)) / peak;
                     const from = atY((s.centre_x + s.half_length * (((j + 1) / cells) * 2 - 1)) * mm), to = atY((s.centre_x + s.half_length * ((j / cells) * 2 - 1)) * mm);
-                    shades[Math.min(7, Math.floor(p * 8))] += `M${x0.toFixed(1)} ${from.toFixed(1)}H${x1.toFixed(1)}V${to.toFixed(1)}H${x0.toFixed(1)}Z`;
+                    levels[Math.min(7, Math.floor(p * 8))] += `M${x0.toFixed(1)} ${from.toFixed(1)}H${x1.toFixed(1)}V${to.toFixed(1)}H${x0.toFixed(1)}Z`;
                 }
                 outline += `M${x0.toFixed(1)} ${atY((s.centre_x + s.half_length) * mm).toFixed(1)}H${x1.toFixed(1)}V${atY((s.centre_x - s.half_length) * mm).toFixed(1)}H${x0.toFixed(1)}Z`;
-                const f = c.forces[k];
-                if (f?.state === 1) edges += `M${x0.toFixed(1)} ${atY(f.separatrix * mm).toFixed(1)}H${x1.toFixed(1)}`;
             });
             const largest = Math.max(...c.field.map((p) => Math.hypot(p.traction_x, p.traction_y)), 0);
             const arrows = largest > 0 ? c.field.filter((p) => p.state !== 0).map((p) => {
-                const length = (Math.max(9, 0.95 * c.step * mm * scale)) / largest;
+                const length = (Math.max(9, 0.95 * c.grid.step * mm * scale)) / largest;
                 return arrow(atX(p.y * mm), atY(p.x * mm), sign * p.traction_y * length, -p.traction_x * length, 4);
             }).join("") : "";
-            svg += `<path class="outline" d="${outline}"/>` + shades.map((d, n) => `<path class="pressure" style="fill-opacity:${(0.1 + 0.11 * n).toFixed(2)}" d="${d}"/>`).join("")
-                + `<path class="separatrix" d="${edges}"/><path class="arrows" d="${arrows}"/>`
+            svg += `<path class="outline" d="${outline}"/>` + levels.map((d, n) => `<path class="pressure" style="fill-opacity:${strength(n)}" d="${d}"/>`).join("")
+                + `<path class="stick outlined" d="${this.stickArea(c, (y) => atX(y * mm), (x) => atY(x * mm))}"/><path class="arrows" d="${arrows}"/>`
                 + `<text class="number" x="${((atX(e.left * 1) + atX(e.right * 1)) / 2).toFixed(1)}" y="${(middle + (tall * scale) / 2 + 22).toFixed(1)}" text-anchor="middle">${i + 1}</text>`;
             cursor += (e.right - e.left + gap) * scale;
         });
         const bar = niceAbove(wide / 14) || 1;
-        svg += `<path class="bar" d="M24 284v5h${(bar * scale).toFixed(1)}v-5"/><text x="${24 + bar * scale + 8}" y="289">${tick(bar)} mm</text>`
-            + `<path class="separatrix" d="M140 285h24"/><text x="170" y="289">stick ahead of it, slip behind</text>`
-            + `<path class="arrows" d="${arrow(440, 285, 24, 0, 6)}"/><text x="470" y="289">traction</text>`
+        const shades = Array.from({ length: 8 }, (_, n) => `<rect class="pressure" style="fill-opacity:${strength(n)}" x="${440 + 10 * n}" y="8" width="10" height="10"/>`);
+        svg += `<g class="key"><path class="bar" d="M24 284v5h${(bar * scale).toFixed(1)}v-5"/><text x="${24 + bar * scale + 8}" y="289">${tick(bar)} mm</text>`
+            + `<rect class="stick outlined" x="150" y="278" width="14" height="12"/><text x="171" y="289">stick area</text>`
+            + `<path class="arrows" d="${arrow(370, 285, 24, 0, 6)}"/><text x="400" y="289">traction on the rail</text>`
             + `<path class="arrows" d="${arrow(16, 50, 0, -26, 6)}"/><text x="24" y="34">x</text>`
-            + Array.from({ length: 8 }, (_, n) => `<rect class="pressure" style="fill-opacity:${(0.1 + 0.11 * n).toFixed(2)}" x="${440 + 10 * n}" y="8" width="10" height="10"/>`).join("")
-            + `<text x="434" y="17" text-anchor="end">0</text><text x="520" y="34" text-anchor="end">${show(peak / 1e6, 3)} MPa</text>`;
+            + `${shades.join("")}<text x="434" y="17" text-anchor="end">0</text><text x="520" y="34" text-anchor="end">${show(peak / 1e6, 3)} MPa</text></g>`;
         const said = contacts.map((c, i) => `contact ${i + 1}: ${show(ends[i].high - ends[i].low, 3)} mm long, ${show(ends[i].right - ends[i].left, 3)} mm wide, `
-            + `peak pressure ${show(c.peak / 1e6, 3)} MPa, ${show(100 * c.result.adhesion, 3)} % sticks`);
-        return picture(560, height, "Patches, pressure and tractions", said.join("; "), svg);
+            + `peak pressure ${show(c.peak / 1e6, 3)} MPa, ${show(100 * c.result.adhesion, 3)} % stick area`);
+        return picture(560, height, "Contact patches, pressure and tractions", said.join("; "), svg);
     },
 
     draw(v, found, at) {
@@ -244,19 +264,19 @@ const wheelView = {
         at("patches").innerHTML = this.drawPatches(v, found);
         const { wrench, contacts } = found;
         const rows = [
-            ["place y", "mm", (c) => (found.position.lateral + c.origin[1]) * 1e3], ["angle", "°", (c) => (c.angle * 180) / Math.PI],
+            ["position y", "mm", (c) => (found.position.lateral + c.origin[1]) * 1e3], ["contact angle", "°", (c) => (c.angle * 180) / Math.PI],
             ["rolling radius", "mm", (c) => c.radius * 1e3], ["load", "kN", (c) => c.normal_force / 1e3],
             ["share in the sum", "", (c) => c.share], ["area", "mm²", (c) => c.summary.area * 1e6], ["peak pressure", "MPa", (c) => c.peak / 1e6],
             ["longitudinal creepage", "%", (c) => c.creepages[0] * 100], ["lateral creepage", "%", (c) => c.creepages[1] * 100],
-            ["spin", "1/m", (c) => c.creepages[2]], ["creep force on the rail, along", "N", (c) => c.result.fx],
-            ["creep force on the rail, across", "N", (c) => c.result.fy], ["friction in use", "%", (c) => (100 * Math.hypot(c.result.fx, c.result.fy)) / c.summary.friction_bound],
-            ["sticks", "%", (c) => 100 * c.result.adhesion],
+            ["spin", "1/m", (c) => c.creepages[2]], ["longitudinal creep force on the rail", "N", (c) => c.result.fx],
+            ["lateral creep force on the rail", "N", (c) => c.result.fy], ["|F|/μN", "%", (c) => (100 * Math.hypot(c.result.fx, c.result.fy)) / c.summary.friction_bound],
+            ["stick area", "%", (c) => 100 * c.result.adhesion],
         ];
         at("contacts").innerHTML = `<thead><tr><th scope="col">contact</th>${contacts.map((_, i) => `<th scope="col">${i + 1}</th>`).join("")}</tr></thead><tbody>`
             + rows.map(([name, unit, value]) => `<tr><th scope="row">${name}${unit ? ` [${unit}]` : ""}</th>${contacts.map((c) => `<td>${data(value(c))}</td>`).join("")}</tr>`).join("") + "</tbody>";
         const six = [["force forward", "N", wrench.force[0]], ["force to the right", "N", wrench.force[1]], ["force down", "N", wrench.force[2]],
-            ["moment, roll", "N m", wrench.moment[0]], ["moment about the axle", "N m", wrench.moment[1]], ["moment, yaw", "N m", wrench.moment[2]],
-            ["height of the centre, down", "mm", found.position.vertical * 1e3], ["dissipation", "W", wrench.dissipation]];
+            ["roll moment", "N m", wrench.moment[0]], ["pitch moment (about the axle)", "N m", wrench.moment[1]], ["yaw moment", "N m", wrench.moment[2]],
+            ["vertical position of the centre, down", "mm", found.position.vertical * 1e3], ["frictional power", "W", wrench.dissipation]];
         at("wrench").innerHTML = six.map(([name, unit, value]) => `<div><dt>${name}</dt><dd>${data(value, unit)}</dd></div>`).join("");
     },
 };
