@@ -139,8 +139,8 @@ int main(void)
     double shifts[SHIFTS], differences[SHIFTS], conicity, wave_length;
     for (int i = 0; i < SHIFTS; i++)
         shifts[i] = (i - SHIFTS / 2) * 0.1e-3;
-    check(kstrip_rolling_radius_difference(&set, &track, shifts, SHIFTS, 0, &both, differences));
-    check(kstrip_equivalent_conicity(shifts, differences, SHIFTS, 1.5, 0.46, &amplitude, 1, &conicity, &wave_length));
+    check(kstrip_rolling_radius_difference(&set, &track, shifts, SHIFTS, 0, &both, differences, NULL));
+    check(kstrip_equivalent_conicity(shifts, differences, SHIFTS, 1.5, 0.46, &amplitude, 1, &conicity, &wave_length, NULL));
     printf("\nequivalent conicity at 3 mm %.4f\nwave length at 3 mm %.3f m\nradius difference under load over twice the shift of 3 mm %.4f\n",
            conicity, wave_length, (radius_at(amplitude) - radius_at(-amplitude)) / (2 * amplitude));
 

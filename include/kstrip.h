@@ -1900,9 +1900,15 @@ typedef struct kstrip_wrench {
      * where pressure adds to the slip.
      */
     double dissipation;
-    /** Sum of the loads of all contacts [N], each along its own normal. */
+    /**
+     * Sum of the loads of all contacts [N], each along its own normal: share times normal_force
+     * of kstrip_wheel_contact, times the factor of the damping.
+     */
     double normal_force;
-    /** Number of contacts; 0: the wheel is lifted, and nothing acts. */
+    /**
+     * Number of contacts, those that kstrip_wheel_workspace lists; of a wheelset those of both
+     * wheels. 0: the wheel is lifted, and nothing acts.
+     */
     uint32_t contacts;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
     kstrip_status status_detail;
@@ -1958,8 +1964,8 @@ typedef struct kstrip_wheel_workspace {
     struct kstrip_wheel_contact contacts[KSTRIP_CONTACTS_CAPACITY];
     /** Number of contacts. */
     uint32_t count;
-    /** Number of contacts that are more than 4 mm apart from each other. */
-    uint32_t apart;
+    /** Reserved: zero. */
+    uint32_t reserved;
 } kstrip_wheel_workspace;
 
 /** Derivatives of the wrench with respect to the wheel's position at constant velocity. */
@@ -2029,14 +2035,17 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * @param positions, position_stride  where they are.
  * @param velocities, velocity_stride  how they move.
  * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
- * @param[out] wrenches   array of count elements; receives force and moment.
+ * @param[out] wrenches   array of count elements; receives force and moment, and with them the
+ *                        number of contacts.
  * @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
  *                        NULL: not needed.
- * @param[out] contacts   array of count times room elements; receives the first contacts of each
- *                        wheel, their unused strips zero; NULL: not needed.
+ * @param[out] contacts   array of count times room elements; receives the first room contacts of
+ *                        each wheel, their unused strips zero; NULL: not needed. A wheel of fewer
+ *                        contacts leaves the rest untouched. Those of wheel i begin at i room.
  * @param room            contacts of each wheel for which there is room, at most
  *                        KSTRIP_CONTACTS_CAPACITY.
- * @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail().
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
+ *                        NULL: not needed.
  * @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
  *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
  *         of any wheel.
@@ -2097,7 +2106,8 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
  * @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
  * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
  * @param[out] verticals  array of count elements; receives the vertical positions [m].
- * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load().
+ * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
+ *                        NULL: not needed.
  * @return as kstrip_wheels_on_rails().
  */
 kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
@@ -2382,7 +2392,8 @@ kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
  *                        kstrip_wheels_on_rails().
  * @param[out] forces     array of count elements; receives the forces.
  * @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
- * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track().
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
+ *                        NULL: not needed.
  * @return as kstrip_wheels_on_rails().
  */
 kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
@@ -2405,7 +2416,8 @@ kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
  * @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
  * @param[out] positions, moves  arrays of count elements.
  * @param[out] forces     array of count elements; NULL: not needed.
- * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle().
+ * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();
+ *                        NULL: not needed.
  * @return as kstrip_wheels_on_rails().
  */
 kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
@@ -2433,9 +2445,12 @@ kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
  * @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
  *                        the wheelset has on both rails.
  * @param workspace       memory that may hold anything.
- * @param[out] differences  array of count elements; receives the differences [m]. (After an error
- *                        some may have been written.)
- * @return KSTRIP_OK or an error of kstrip_wheelset_on_track().
+ * @param[out] differences  array of count elements; receives the differences [m]. An element with
+ *                        an error is untouched and does not stop the others.
+ * @param[out] statuses   array of count elements; receives the status of each shift; NULL: not
+ *                        needed.
+ * @return KSTRIP_OK or an error of kstrip_wheelset_on_track(): that of the first shift without a
+ *         difference, or one without a status of any shift.
  */
 kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set,
                                                const struct kstrip_track *track,
@@ -2443,7 +2458,8 @@ kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set
                                                uint32_t count,
                                                int32_t with_roll,
                                                struct kstrip_wheelset_workspace *workspace,
-                                               double *differences);
+                                               double *differences,
+                                               kstrip_status *statuses);
 
 /**
  * Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same
@@ -2455,13 +2471,19 @@ kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set
  * @param running_circles  distance of the running circles [m], > 0, about 1.5.
  * @param wheel_radius    radius of the wheels [m], > 0.
  * @param amplitudes, number  amplitudes of the motion [m], > 0.
- * @param[out] conicities   array of number elements; receives the conicities [-].
- * @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
- *                        needed.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
- *         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
- *         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii
- *         do not bring the wheelset back).
+ * @param[out] conicities   array of number elements; receives the conicities [-], >= 0: 0 where
+ *                        the radii do not differ over a part of the motion. An element with an
+ *                        error is untouched and does not stop the others.
+ * @param[out] wave_lengths  array of number elements; receives the wave lengths [m], INFINITY
+ *                        where the conicity is 0; NULL: not needed.
+ * @param[out] statuses   array of number elements; receives the status of each amplitude; NULL:
+ *                        not needed.
+ * @return KSTRIP_OK, or the error of the first amplitude without a conicity:
+ *         KSTRIP_ERROR_CONICITY (it is not positive or beyond the shifts, or the radii turn the
+ *         wheelset away from the middle), KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW; or,
+ *         without a status of any amplitude, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+ *         KSTRIP_ERROR_PROFILE (too few shifts, or they do not ascend), KSTRIP_ERROR_GAUGE,
+ *         KSTRIP_ERROR_ROLLING_RADIUS.
  */
 kstrip_status kstrip_equivalent_conicity(const double *shifts,
                                          const double *differences,
@@ -2471,7 +2493,8 @@ kstrip_status kstrip_equivalent_conicity(const double *shifts,
                                          const double *amplitudes,
                                          uint32_t number,
                                          double *conicities,
-                                         double *wave_lengths);
+                                         double *wave_lengths,
+                                         kstrip_status *statuses);
 
 /** @} */
 

@@ -130,7 +130,7 @@ class error : public std::exception {
 public:
     explicit error(kstrip::status s, std::size_t index = 0) noexcept : status_(s), index_(index) {}
     kstrip::status status() const noexcept { return status_; }
-    /// For a batch the index of the first bad input; otherwise 0.
+    /// For many contacts, wheels or amplitudes in one call the index of the first one with an error; otherwise 0.
     std::size_t index() const noexcept { return index_; }
     const char *what() const noexcept override { return to_string(status_); }
 
@@ -365,8 +365,35 @@ inline void check(status s, std::size_t index = 0)
     if (is_error(s))
         throw error(s, index);
 }
+
+/// Calls a function that writes a status for each of `count` elements, and returns these statuses. Throws the error of the first
+/// element that has one.
+template <class Call>
+std::vector<status> each_status(std::size_t count, Call function)
+{
+    std::vector<std::int32_t> written(count);
+    const status s = function(span<std::int32_t>(written.data(), count));
+    std::size_t first = 0;
+    while (first < count && written[first] >= 0)
+        ++first;
+    check(s, first < count ? first : 0);
+    std::vector<status> found(count);
+    for (std::size_t i = 0; i < count; ++i)
+        found[i] = static_cast<status>(written[i]);
+    return found;
+}
 #endif
 } // namespace detail
+
+#if defined(KSTRIP_HPP_EXCEPTIONS)
+/// Results of many wheels, wheelsets or shifts in one call, with the status of each. A function that returns them throws the error of the
+/// first element that has one; the form that does not throw writes the results of all other elements too.
+template <class X>
+struct results : std::vector<X> {
+    using std::vector<X>::vector;
+    std::vector<status> statuses; ///< of each element: ok or a warning
+};
+#endif
 
 /// The function of C in the precision T.
 #define KSTRIP_HPP_CALL(name, ...)                                                                \
@@ -1356,7 +1383,7 @@ struct basic_wheel_workspace {
     basic_patch<T> strips;
     basic_wheel_contact<T> contacts[contacts_capacity];
     std::uint32_t count;
-    std::uint32_t apart;
+    std::uint32_t reserved;
 };
 KSTRIP_HPP_BOTH(wheel_workspace)
 
@@ -1464,6 +1491,11 @@ template <class... Arrays>
 bool fit(std::size_t count, const Arrays &...arrays) noexcept
 {
     return fits(count) && ((arrays.size() == 1 || arrays.size() == count) && ...);
+}
+/// Whether there are no statuses, or as many as there are results.
+inline bool are_for(span<std::int32_t> statuses, std::size_t count) noexcept
+{
+    return statuses.size() == 0 || statuses.size() == count;
 }
 /// The largest of several sizes.
 template <class... Arrays>
@@ -1591,20 +1623,21 @@ basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<
                               const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_wrench<T>, wheel_on_rail, rail, wheel, both, where, moves, law, workspace, to)
 
-/// The wrenches of many wheels. `both`, `where`, `moves`: one element for all, or one for each.
+/// The wrenches of many wheels, with their numbers of contacts. `both`, `where`, `moves`: one element for all, or one for each.
 template <class T>
-std::vector<basic_wrench<T>> wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
-                                             detail::only<span<const basic_wheel_pair<T>>> both,
-                                             detail::only<span<const basic_wheel_position<T>>> where,
-                                             detail::only<span<const basic_wheel_velocity<T>>> moves,
-                                             basic_wheel_workspace<T> &workspace,
-                                             const detail::only<basic_friction<T>> *law = nullptr)
+results<basic_wrench<T>> wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                                         detail::only<span<const basic_wheel_pair<T>>> both,
+                                         detail::only<span<const basic_wheel_position<T>>> where,
+                                         detail::only<span<const basic_wheel_velocity<T>>> moves,
+                                         basic_wheel_workspace<T> &workspace,
+                                         const detail::only<basic_friction<T>> *law = nullptr)
 {
     const std::size_t count = detail::largest(both, where, moves);
-    std::vector<basic_wrench<T>> found(count);
-    std::vector<std::int32_t> statuses(count);
-    detail::check(wheels_on_rails<T>(rail, wheel, both, where, moves, law, workspace, span<basic_wrench<T>>(found.data(), count),
-                                     span<std::int32_t>(statuses.data(), count)));
+    results<basic_wrench<T>> found(count);
+    found.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
+        return wheels_on_rails<T>(rail, wheel, both, where, moves, law, workspace,
+                                  span<basic_wrench<T>>(found.data(), count), statuses);
+    });
     return found;
 }
 
@@ -1635,19 +1668,20 @@ KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, 
 
 /// The heights of many wheels. Arrays: one element for all, or one for each. `moves`: empty: the pressure carries the load.
 template <class T>
-std::vector<basic_metres<T>> heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &wheel,
-                                               detail::only<span<const basic_wheel_pair<T>>> both,
-                                               detail::only<span<const basic_wheel_position<T>>> where,
-                                               detail::only<span<const basic_newtons<T>>> supports,
-                                               basic_wheel_workspace<T> &workspace,
-                                               detail::only<span<const basic_wheel_velocity<T>>> moves = {},
-                                               const detail::only<basic_friction<T>> *law = nullptr)
+results<basic_metres<T>> heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &wheel,
+                                           detail::only<span<const basic_wheel_pair<T>>> both,
+                                           detail::only<span<const basic_wheel_position<T>>> where,
+                                           detail::only<span<const basic_newtons<T>>> supports,
+                                           basic_wheel_workspace<T> &workspace,
+                                           detail::only<span<const basic_wheel_velocity<T>>> moves = {},
+                                           const detail::only<basic_friction<T>> *law = nullptr)
 {
     const std::size_t count = detail::largest(both, where, supports, moves);
-    std::vector<basic_metres<T>> found(count);
-    std::vector<std::int32_t> statuses(count);
-    detail::check(heights_for_loads<T>(rail, wheel, both, where, supports, moves, law, workspace,
-                                       span<basic_metres<T>>(found.data(), count), span<std::int32_t>(statuses.data(), count)));
+    results<basic_metres<T>> found(count);
+    found.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
+        return heights_for_loads<T>(rail, wheel, both, where, supports, moves, law, workspace,
+                                    span<basic_metres<T>>(found.data(), count), statuses);
+    });
     return found;
 }
 #endif
@@ -1803,33 +1837,34 @@ status wheelsets_settle(const basic_wheelset<T> &set, const basic_track<T> &rail
                            detail::spacing(loads), &workspace, to.data(), to_moves.data(), to_forces, statuses.data());
 }
 
-/// Returns error_capacity where the arrays have different sizes.
+/// `statuses`: as many as there are shifts; empty: not needed. Returns error_capacity where the arrays have different sizes.
 template <class T>
 status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
                                  detail::only<lengths<T>> shifts, bool with_roll,
                                  basic_wheelset_workspace<T> &workspace,
-                                 detail::only<span<basic_metres<T>>> to) noexcept
+                                 detail::only<span<basic_metres<T>>> to, span<std::int32_t> statuses = {}) noexcept
 {
-    if (shifts.size() != to.size() || !detail::fits(shifts.size()))
+    if (shifts.size() != to.size() || !detail::fits(shifts.size()) || !detail::are_for(statuses, to.size()))
         return status::error_capacity;
     return KSTRIP_HPP_CALL(kstrip_rolling_radius_difference, &set, &rails, shifts.data(),
-                           detail::capacity(shifts.size()), with_roll ? 1 : 0, &workspace, to.data());
+                           detail::capacity(shifts.size()), with_roll ? 1 : 0, &workspace, to.data(), statuses.data());
 }
 
-/// `wave_lengths`: as many as there are amplitudes; null: not needed. Returns error_capacity where arrays have different
-/// sizes.
+/// `wave_lengths`, `statuses`: as many as there are amplitudes; null and empty: not needed. Returns error_capacity where arrays have
+/// different sizes.
 template <class T>
 status equivalent_conicity(detail::only<lengths<T>> shifts,
                            detail::only<lengths<T>> differences, basic_metres<T> running_circles,
                            detail::only<basic_metres<T>> wheel_radius, detail::only<lengths<T>> amplitudes,
-                           detail::only<span<T>> to, detail::only<basic_metres<T>> *wave_lengths = nullptr) noexcept
+                           detail::only<span<T>> to, detail::only<basic_metres<T>> *wave_lengths = nullptr,
+                           span<std::int32_t> statuses = {}) noexcept
 {
     if (shifts.size() != differences.size() || amplitudes.size() != to.size() || !detail::fits(shifts.size()) ||
-        !detail::fits(to.size()))
+        !detail::fits(to.size()) || !detail::are_for(statuses, to.size()))
         return status::error_capacity;
     return KSTRIP_HPP_CALL(kstrip_equivalent_conicity, shifts.data(), differences.data(),
                            detail::capacity(shifts.size()), running_circles, wheel_radius, amplitudes.data(),
-                           detail::capacity(to.size()), to.data(), wave_lengths);
+                           detail::capacity(to.size()), to.data(), wave_lengths, statuses.data());
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
@@ -1889,16 +1924,17 @@ KSTRIP_HPP_THROWING(basic_settled<T>, wheelset_settle, set, rails, start, moves,
 
 /// The forces at many positions. `where`, `moves`: one element for all, or one for each.
 template <class T>
-std::vector<basic_wheelset_forces<T>> wheelsets_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails,
-                                                         detail::only<span<const basic_wheel_position<T>>> where,
-                                                         detail::only<span<const basic_wheel_velocity<T>>> moves,
-                                                         basic_wheelset_workspace<T> &workspace)
+results<basic_wheelset_forces<T>> wheelsets_on_track(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                                     detail::only<span<const basic_wheel_position<T>>> where,
+                                                     detail::only<span<const basic_wheel_velocity<T>>> moves,
+                                                     basic_wheelset_workspace<T> &workspace)
 {
     const std::size_t count = detail::largest(where, moves);
-    std::vector<basic_wheelset_forces<T>> found(count);
-    std::vector<std::int32_t> statuses(count);
-    detail::check(wheelsets_on_track<T>(set, rails, where, moves, workspace, span<basic_wheelset_forces<T>>(found.data(), count),
-                                        span<std::int32_t>(statuses.data(), count)));
+    results<basic_wheelset_forces<T>> found(count);
+    found.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
+        return wheelsets_on_track<T>(set, rails, where, moves, workspace,
+                                     span<basic_wheelset_forces<T>>(found.data(), count), statuses);
+    });
     return found;
 }
 
@@ -1908,6 +1944,7 @@ struct basic_many_settled {
     std::vector<basic_wheel_position<T>> position;
     std::vector<basic_wheel_velocity<T>> velocity;
     std::vector<basic_wheelset_forces<T>> forces;
+    std::vector<status> statuses;
 };
 /// Many balances. Arrays: one element for all, or one for each.
 template <class T>
@@ -1919,23 +1956,27 @@ basic_many_settled<T> wheelsets_settle(const basic_wheelset<T> &set, const basic
 {
     const std::size_t count = detail::largest(start, moves, loads);
     basic_many_settled<T> found{std::vector<basic_wheel_position<T>>(count), std::vector<basic_wheel_velocity<T>>(count),
-                                std::vector<basic_wheelset_forces<T>>(count)};
-    std::vector<std::int32_t> statuses(count);
-    detail::check(wheelsets_settle<T>(set, rails, start, moves, loads, workspace,
-                                      span<basic_wheel_position<T>>(found.position.data(), count),
-                                      span<basic_wheel_velocity<T>>(found.velocity.data(), count),
-                                      span<std::int32_t>(statuses.data(), count), found.forces.data()));
+                                std::vector<basic_wheelset_forces<T>>(count), {}};
+    found.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
+        return wheelsets_settle<T>(set, rails, start, moves, loads, workspace,
+                                   span<basic_wheel_position<T>>(found.position.data(), count),
+                                   span<basic_wheel_velocity<T>>(found.velocity.data(), count), statuses,
+                                   found.forces.data());
+    });
     return found;
 }
 
 /// The form of rolling_radius_difference() that throws.
 template <class T>
-std::vector<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
-                                                       detail::only<lengths<T>> shifts, bool with_roll,
-                                                       basic_wheelset_workspace<T> &workspace)
+results<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
+                                                   detail::only<lengths<T>> shifts, bool with_roll,
+                                                   basic_wheelset_workspace<T> &workspace)
 {
-    std::vector<basic_metres<T>> to(shifts.size());
-    detail::check(rolling_radius_difference(set, rails, shifts, with_roll, workspace, to));
+    results<basic_metres<T>> to(shifts.size());
+    to.statuses = detail::each_status(shifts.size(), [&](span<std::int32_t> statuses) {
+        return rolling_radius_difference<T>(set, rails, shifts, with_roll, workspace,
+                                            span<basic_metres<T>>(to.data(), to.size()), statuses);
+    });
     return to;
 }
 
@@ -1943,7 +1984,8 @@ std::vector<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &
 template <class T>
 struct basic_conicities {
     std::vector<T> conicities;
-    std::vector<basic_metres<T>> wave_lengths;
+    std::vector<basic_metres<T>> wave_lengths; ///< infinite where the conicity is 0
+    std::vector<status> statuses;
 };
 /// The form of equivalent_conicity() that throws.
 template <class T>
@@ -1951,9 +1993,12 @@ basic_conicities<T> equivalent_conicity(detail::only<lengths<T>> shifts, detail:
                                         basic_metres<T> running_circles, detail::only<basic_metres<T>> wheel_radius,
                                         detail::only<lengths<T>> amplitudes)
 {
-    basic_conicities<T> to{std::vector<T>(amplitudes.size()), std::vector<basic_metres<T>>(amplitudes.size())};
-    detail::check(equivalent_conicity(shifts, differences, running_circles, wheel_radius, amplitudes, to.conicities,
-                                      to.wave_lengths.data()));
+    const std::size_t count = amplitudes.size();
+    basic_conicities<T> to{std::vector<T>(count), std::vector<basic_metres<T>>(count), {}};
+    to.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
+        return equivalent_conicity<T>(shifts, differences, running_circles, wheel_radius, amplitudes,
+                                      span<T>(to.conicities.data(), count), to.wave_lengths.data(), statuses);
+    });
     return to;
 }
 #endif

@@ -742,7 +742,7 @@ typedef struct kstrip_wheel_workspace_f32 {
     struct kstrip_patch_f32 strips;
     struct kstrip_wheel_contact_f32 contacts[KSTRIP_CONTACTS_CAPACITY];
     uint32_t count;
-    uint32_t apart;
+    uint32_t reserved;
 } kstrip_wheel_workspace_f32;
 
 /** Derivatives of the wrench with respect to the wheel's position at constant velocity. */
@@ -974,7 +974,8 @@ kstrip_status kstrip_rolling_radius_difference_f32(const struct kstrip_wheelset_
                                                    uint32_t count,
                                                    int32_t with_roll,
                                                    struct kstrip_wheelset_workspace_f32 *workspace,
-                                                   float *differences);
+                                                   float *differences,
+                                                   kstrip_status *statuses);
 
 /** kstrip_equivalent_conicity() in single precision. */
 kstrip_status kstrip_equivalent_conicity_f32(const float *shifts,
@@ -985,7 +986,8 @@ kstrip_status kstrip_equivalent_conicity_f32(const float *shifts,
                                              const float *amplitudes,
                                              uint32_t number,
                                              float *conicities,
-                                             float *wave_lengths);
+                                             float *wave_lengths,
+                                             kstrip_status *statuses);
 
 /** @} */
 

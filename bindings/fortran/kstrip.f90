@@ -529,7 +529,7 @@ module kstrip
       type(kstrip_patch) :: strips
       type(kstrip_wheel_contact) :: contacts(kstrip_contacts_capacity)
       integer(c_int32_t) :: count = 0
-      integer(c_int32_t) :: apart = 0
+      integer(c_int32_t) :: reserved = 0
    end type
 
    !> Derivatives of the wrench with respect to the wheel's position at constant velocity.
@@ -978,7 +978,7 @@ module kstrip
          type(kstrip_wrench_by_position), intent(inout), optional :: by_position(*)
          type(kstrip_wheel_contact), intent(inout), optional :: contacts(*)
          integer(c_int32_t), value :: room
-         integer(c_int32_t), intent(inout) :: statuses(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> The vertical position at which the rail supports a wheel with a given force.
@@ -1016,7 +1016,7 @@ module kstrip
          integer(c_int32_t), value :: friction_stride
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: verticals(*)
-         integer(c_int32_t), intent(inout) :: statuses(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> The gauge face of a rail: the least y of its profile down to a depth below its top.
@@ -1082,7 +1082,7 @@ module kstrip
          type(kstrip_wheelset_forces), intent(inout) :: forces(*)
          type(kstrip_wheelset_derivatives), intent(inout), optional :: derivatives(*)
          type(kstrip_wheelset_by_position), intent(inout), optional :: by_position(*)
-         integer(c_int32_t), intent(inout) :: statuses(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
@@ -1102,13 +1102,13 @@ module kstrip
          type(kstrip_wheel_position), intent(inout) :: positions(*)
          type(kstrip_wheel_velocity), intent(inout) :: moves(*)
          type(kstrip_wheelset_forces), intent(inout), optional :: forces(*)
-         integer(c_int32_t), intent(inout) :: statuses(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> The difference of the rolling radii, right minus left, against the lateral shift of a rigid wheelset that
       !> touches both rails without yaw.
       integer(c_int32_t) function kstrip_rolling_radius_difference(set, track, shifts, count, &
-         with_roll, workspace, differences) bind(c)
+         with_roll, workspace, differences, statuses) bind(c)
          import
          type(kstrip_wheelset), intent(in) :: set
          type(kstrip_track), intent(in) :: track
@@ -1117,11 +1117,12 @@ module kstrip
          integer(c_int32_t), value :: with_roll
          type(kstrip_wheelset_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: differences(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> Equivalent conicity after EN 15302: the conicity of the coned wheelset whose motion has the same wave length.
       integer(c_int32_t) function kstrip_equivalent_conicity(shifts, differences, count, &
-         running_circles, wheel_radius, amplitudes, number, conicities, wave_lengths) bind(c)
+         running_circles, wheel_radius, amplitudes, number, conicities, wave_lengths, statuses) bind(c)
          import
          real(c_double), intent(in) :: shifts(*)
          real(c_double), intent(in) :: differences(*)
@@ -1132,6 +1133,7 @@ module kstrip
          integer(c_int32_t), value :: number
          real(c_double), intent(inout) :: conicities(*)
          real(c_double), intent(inout), optional :: wave_lengths(*)
+         integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
       !> The coefficient of friction that explains a measured force at a known creepage.

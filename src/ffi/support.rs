@@ -267,8 +267,8 @@ impl<T: Copy> Strided<T> {
     }
 }
 
-/// Calls a function for each of `count` elements and writes its statuses. The result is the first
-/// error, or the most serious warning.
+/// Calls a function for each of `count` elements and writes its statuses where they are requested.
+/// The result is the first error, or the most serious warning.
 ///
 /// # Safety
 /// `statuses` is NULL or valid for `count` writes, and `one` does not write there.
@@ -278,10 +278,10 @@ pub(super) unsafe fn each_element(
     mut one: impl FnMut(usize) -> kstrip_status,
 ) -> Result<Warning, Error> {
     let (mut bad, mut worst) = (None, Warning::None);
-    // SAFETY: the caller's promise.
-    let statuses = unsafe { output(statuses, count) }?;
-    for (i, place) in statuses.iter_mut().enumerate() {
-        let status = *place.write(one(i));
+    for i in 0..count as usize {
+        let status = one(i);
+        // SAFETY: the caller's promise.
+        put(unsafe { element(statuses, i) }, status);
         bad = bad.or(Error::from_code(status));
         worst = worst.worse(Warning::from_code(status).unwrap_or_default());
     }

@@ -41,8 +41,8 @@ pub struct Workspace<F> {
     pub contacts: [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
     /// Number of contacts.
     pub count: u32,
-    /// Number of contacts that are more than 4 mm apart from each other.
-    pub apart: u32,
+    /// Reserved: zero.
+    pub reserved: u32,
 }
 
 /// Two surfaces, their materials, and the options of the computation.
@@ -77,13 +77,13 @@ impl<'a, F: Float> Scene<'a, F> {
         memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
         let Self { wheel, pair, strips, .. } = *self;
-        let Workspace { gap, strips: whole, contacts, count, apart } = memory;
+        let Workspace { gap, strips: whole, contacts, count, reserved } = memory;
         pair.check()?;
         let right = position.mirrored(pair.left != 0);
         let reach = view::reach(wheel.step, pair.smoothing_length);
         self.search_at(&right)?.gap(reach, gap)?;
         let found = contacts::from_gap(gap, pair, position, strips, whole, contacts)?;
-        (*count, *apart) = (found.written as u32, found.apart);
+        (*count, *reserved) = (found.written as u32, 0);
         Ok(found.warning)
     }
 
@@ -94,11 +94,11 @@ impl<'a, F: Float> Scene<'a, F> {
         by_velocity: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
         let placed = self.place(&state.position, memory)?;
-        let Workspace { strips, contacts, count, apart, .. } = memory;
+        let Workspace { strips, contacts, count, .. } = memory;
         let found = contacts.get(..*count as usize).unwrap_or(&[]);
         let velocity = &state.velocity;
         let wrench = wrench::of_contacts_in(strips, found, velocity, self.law, by_velocity)?;
-        Ok(Wrench { contacts: *apart, warning: wrench.warning.worse(placed), ..wrench })
+        Ok(Wrench { warning: wrench.warning.worse(placed), ..wrench })
     }
 
     /// Computes the wrench of a position and a velocity.

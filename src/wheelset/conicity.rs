@@ -24,6 +24,8 @@ const PLACES: i32 = 128;
 const EACH: f64 = core::f64::consts::PI / PLACES as f64;
 /// Steps of the search for the middle of the motion.
 const BISECTIONS: usize = 60;
+/// Roundings of the largest possible work that a work of zero may have.
+const ROUNDING: f64 = 64.0;
 /// How often a wheel is lowered onto its rail, and how often the roll follows the wheels.
 const LOWERINGS: usize = 24;
 const ROLLS: usize = 6;
@@ -42,6 +44,7 @@ impl<F: Float> Wheelset<'_, F> {
         with_roll: bool,
         memory: &mut WheelsetWorkspace<F>,
     ) -> Result<F, Error> {
+        Error::NotFinite.unless(lateral.is_finite_number())?;
         let mut here = Position { lateral, ..Position::default() };
         let mut radii = [F::zero(); 2];
         for _ in 0..if with_roll { ROLLS } else { 1 } {
@@ -109,10 +112,17 @@ pub struct RadiusDifference<'a, F> {
 /// A wave of the free wheelset.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wave<F> {
-    /// Equivalent conicity `tan γ` \[-\].
+    /// Equivalent conicity `tan γ` \[-\], >= 0.
     pub conicity: F,
-    /// Wave length \[m\].
+    /// Wave length \[m\]; infinite where the conicity is 0.
     pub length: F,
+}
+
+/// Checks the distance of the running circles and the radius of the wheels \[m\].
+pub(crate) fn check_circles<F: Float>(distance: F, radius: F) -> Result<(), Error> {
+    Error::NotFinite.unless(are_finite(&[distance, radius]))?;
+    Error::Gauge.unless(distance > F::zero())?;
+    Error::RollingRadius.unless(radius > F::zero())
 }
 
 impl<'a, F: Float> RadiusDifference<'a, F> {
@@ -144,20 +154,23 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
     /// The wave of an amplitude \[m\], with the distance of the running circles \[m\] and the
     /// radius of the wheels \[m\].
     ///
-    /// # Errors [`Error::NotFinite`]; [`Error::SemiAxis`] for an amplitude that is not positive,
-    /// [`Error::Gauge`] for the distance, [`Error::RollingRadius`]; [`Error::Conicity`] where the
-    /// shifts do not reach, or the radii do not bring the wheelset back.
+    /// The conicity is 0 where the radii do not differ over a part of the motion, so that the
+    /// wheelset keeps its direction there.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Conicity`] for an amplitude that is not positive or beyond
+    /// the shifts, or where the radii turn the wheelset away from the middle; [`Error::Gauge`] for
+    /// the distance; [`Error::RollingRadius`].
     pub fn wave(&self, amplitude: F, distance: F, radius: F) -> Result<Wave<F>, Error> {
-        Error::NotFinite.unless(are_finite(&[amplitude, distance, radius]))?;
+        Error::NotFinite.unless(amplitude.is_finite_number())?;
         Error::Conicity.unless(amplitude > F::zero())?;
-        Error::Gauge.unless(distance > F::zero())?;
-        Error::RollingRadius.unless(radius > F::zero())?;
+        check_circles(distance, radius)?;
         let (Some(&first), Some(&last)) = (self.shifts.first(), self.shifts.last()) else {
             return Err(Error::Profile);
         };
         let middle = self.middle(amplitude, first, last).ok_or(Error::Conicity)?;
-        let ends = [middle - amplitude, middle + amplitude];
-        let [left, right] = ends;
+        let [left, right] = [middle - amplitude, middle + amplitude];
+        let rounding = self.rounding(amplitude);
         let mut sum = F::zero();
         for k in 0..PLACES {
             let angle = F::widened(k as f32).plus(0.5).times(EACH);
@@ -170,18 +183,25 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
             } else {
                 -self.integral(left, place)
             };
-            Error::Conicity.unless(work > F::zero())?;
-            sum += amplitude * sine / work.sqrt();
+            Error::Conicity.unless(work >= -rounding)?;
+            sum += amplitude * sine / work.max(F::zero()).sqrt();
         }
         // S = ∫ a sin θ/√W dθ,   λ = √(2 e r₀) S,   tan γ = (π/λ)² 2 e r₀ = (π/S)²
         let sum = sum.times(EACH);
         let length = distance.times(2.0).sqrt() * radius.sqrt() * sum;
         let root = F::constant(core::f64::consts::PI) / sum;
         let conicity = root * root;
-        Error::Overflow.unless(are_finite(&[length, conicity]))?;
-        // (a conicity below the smallest number does not bring the wheelset back)
-        Error::Conicity.unless(conicity > F::zero())?;
-        Ok(Wave { conicity, length })
+        Error::Overflow.unless(conicity.is_finite_number())?;
+        if conicity > F::zero() && length.is_finite_number() {
+            return Ok(Wave { conicity, length });
+        }
+        Ok(Wave { conicity: F::zero(), length: F::one() / F::zero() })
+    }
+
+    /// By how much rounding may change the work of a motion.
+    fn rounding(&self, amplitude: F) -> F {
+        let largest = self.differences.iter().fold(F::zero(), |most, own| most.max(own.abs()));
+        amplitude * largest * F::EPSILON.times(ROUNDING)
     }
 
     /// The middle of the motion: as much work from there to one end as to the other.

@@ -223,6 +223,37 @@ int main()
     double conicity[1];
     fine(kstrip::equivalent_conicity(shifts, differences, 1.5_m, 460_mm, std::array{2_mm}, conicity), "equivalent_conicity");
     expect(cone.conicities[0] == conicity[0] && std::abs(conicity[0] - 0.05) < 0.002, "equivalent_conicity: both forms");
+    const std::array amplitudes{2_mm, 9_mm, 1_mm};
+    std::array<double, 3> each_conicity{-7, -7, -7};
+    expect(kstrip::equivalent_conicity(shifts, differences, 1.5_m, 460_mm, amplitudes, each_conicity, nullptr, statuses) ==
+               kstrip::status::error_conicity, "equivalent_conicity: an amplitude beyond the shifts");
+    expect(statuses[0] == 0 && statuses[1] == KSTRIP_ERROR_CONICITY && statuses[2] == 0 && each_conicity[0] == conicity[0] &&
+               each_conicity[1] == -7 && each_conicity[2] > 0, "equivalent_conicity: the others have their results");
+
+    // The index of an error is that of the element
+    const auto index_of = [](auto call) {
+        try {
+            call();
+        } catch (const kstrip::error &error) {
+            return error.index();
+        }
+        return std::size_t{99};
+    };
+    const std::vector<kstrip::wheel_position> aside{begin, {1_m}, begin};
+    const std::vector<kstrip::newtons> pulled{80_kN, 80_kN, -80_kN};
+    const std::vector<kstrip::wheelset_loads> lifting{{160_kN}, {160_kN}, {160_kN}, {160_kN, 900_kNm}};
+    const std::vector<kstrip::contact> patches{{6_mm, 4_mm, 80_kN, 82_GPa, 0.28, 0.3}, {0_mm, 4_mm, 80_kN, 82_GPa, 0.28, 0.3}};
+    expect(index_of([&] { kstrip::wheels_on_rails<double>(rail, wheel, pairs, places, all_move, room); }) == 2, "wheels_on_rails: index");
+    expect(index_of([&] { kstrip::heights_for_loads<double>(rail, wheel, pairs, {&where, 1}, pulled, room); }) == 2, "heights_for_loads: index");
+    expect(index_of([&] { kstrip::wheelsets_on_track<double>(set, track, aside, all_move, both); }) == 1, "wheelsets_on_track: index");
+    expect(index_of([&] { kstrip::wheelsets_settle<double>(set, track, {&begin, 1}, all_move, lifting, both); }) == 3, "wheelsets_settle: index");
+    expect(index_of([&] { kstrip::rolling_radius_difference(set, track, std::vector<double>{0, 1e-3, 0.2}, false, both); }) == 2,
+           "rolling_radius_difference: index");
+    expect(index_of([&] { kstrip::equivalent_conicity(shifts, differences, 1.5_m, 460_mm, amplitudes); }) == 1, "equivalent_conicity: index");
+    expect(index_of([&] { kstrip::evaluate_batch(patches, std::vector<kstrip::creepage>(2)); }) == 1, "evaluate_batch: index");
+    expect(of_two.statuses == std::vector{kstrip::status::ok, kstrip::status::ok} && heights.statuses.size() == 2 &&
+               balances.statuses.size() == 2 && on_both.statuses.size() == 2 && differences.statuses.size() == 5 &&
+               cone.statuses.size() == 1, "the status of each result");
 
     // Errors are thrown
     try {

@@ -356,15 +356,31 @@ fn caller(
         };
         text += &format!("    case {number}: {bad}; break;\n");
     }
-    let untouched: Vec<String> =
-        outputs.iter().map(|name| format!("poisoned({name}, sizeof {name})")).collect();
-    let untouched = if untouched.is_empty() { "1".to_owned() } else { untouched.join(" && ") };
+    let each_output = |size: &str| {
+        let are_poisoned = outputs.iter().map(|name| {
+            let size = size.replace("OUTPUT", name);
+            format!("poisoned({size})")
+        });
+        are_poisoned.reduce(|all, next| all + " && " + &next).unwrap_or_else(|| "1".to_owned())
+    };
     text += &format!(
-        "    }}\n    const long status = {}({});\n    \
-         printf(\"%d %ld %d\\n\", call, status, {untouched});\n",
+        "    }}\n    const long status = {}({});\n    int untouched = {};\n",
         function.name,
-        arguments.join(", ")
+        arguments.join(", "),
+        each_output("OUTPUT, sizeof OUTPUT")
     );
+    if function.arguments.iter().any(|argument| argument.name == "statuses") {
+        // an element with an error is untouched, and the others have their results
+        text += &format!(
+            "    if (!poisoned(statuses, sizeof *statuses)) {{\n        untouched = 1;\n        \
+             for (int i = 0; !poisoned(statuses + i, sizeof *statuses); i++)\n            \
+             if (statuses[i] < 0) untouched = untouched && {};\n            \
+             else untouched = untouched && !({});\n    }}\n",
+            each_output("OUTPUT + i, sizeof *OUTPUT"),
+            each_output("OUTPUT + i, sizeof *OUTPUT"),
+        );
+    }
+    text += "    printf(\"%d %ld %d\\n\", call, status, untouched);\n";
     format!("\nstatic void call_{}(int call)\n{{\n{text}}}\n", function.name)
 }
 
@@ -446,7 +462,8 @@ fn bad_input_gets_its_status_and_outputs_stay() {
         let (status, untouched) = answers[&(cases.len() + i)];
         let writes = writes_through_places(function)
             || function.arguments.iter().any(|a| matches!(a.target(), Some((_, true))));
-        if status < 0 || (untouched && writes) {
+        let each = function.arguments.iter().any(|argument| argument.name == "statuses");
+        if status < 0 || (untouched != each && writes) {
             wrong.push(format!("{}: good arguments give {status}", function.name));
         }
     }

@@ -28,6 +28,7 @@ mod total;
 mod unlike;
 mod warnings;
 mod wheel_angle;
+mod wheel_contacts;
 mod wheel_continuity;
 mod wheel_curved;
 mod wheel_plausibility;

@@ -296,7 +296,7 @@ fn a_zone_without_depth_changes_nothing() {
         let [_, loaded] = over.first_touch(&mut memory).unwrap();
         let mut apart = |over: &mut Over, vertical: f64| {
             let found = over.at(1, vertical, &mut memory).unwrap();
-            (memory.apart, found)
+            (memory.count, found)
         };
         let mut last = apart(&mut over, loaded);
         for k in 1..200 {
@@ -342,7 +342,7 @@ fn contacts_far_apart_do_not_disturb_each_other() {
                 flange.normal_force
             })
             .collect();
-        assert_eq!(memory.apart, 2, "both touch in the end");
+        assert_eq!(memory.count, 2, "both touch in the end");
         let rises: Vec<f64> = loads.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let mean = rises.iter().sum::<f64>() / rises.len() as f64;
         for (k, rise) in rises.iter().enumerate() {

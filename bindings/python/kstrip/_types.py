@@ -344,8 +344,8 @@ class Wrench(Record, name="wrench"):
     force = Numbers('N', "Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative).")
     moment = Numbers('N m', "Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw.")
     dissipation = Numbers('W', 'Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this, but for contacts with a mismatch of the materials, where pressure adds to the slip.')
-    normal_force = Numbers('N', 'Sum of the loads of all contacts [N], each along its own normal.')
-    contacts = Integers('', 'Number of contacts; 0: the wheel is lifted, and nothing acts.')
+    normal_force = Numbers('N', 'Sum of the loads of all contacts [N], each along its own normal: share times normal_force of kstrip_wheel_contact, times the factor of the damping.')
+    contacts = Integers('', 'Number of contacts, those that kstrip_wheel_workspace lists; of a wheelset those of both wheels. 0: the wheel is lifted, and nothing acts.')
     status_detail = Integers('', 'The status of this result: 0 or one of the KSTRIP_WARNING constants.')
 
 
@@ -363,7 +363,6 @@ class WheelWorkspace(Record, name="wheel_workspace"):
     strips = Part(Patch, '', 'Memory in which the normal problem of a contact is solved.')
     contacts = Part(WheelContact, '', 'The contacts, in ascending y of a right wheel; the first count are used.')
     count = Integers('', 'Number of contacts.')
-    apart = Integers('', 'Number of contacts that are more than 4 mm apart from each other.')
 
 
 class WrenchByPosition(Record, name="wrench_by_position"):

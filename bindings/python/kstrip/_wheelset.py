@@ -179,7 +179,7 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
     made = np.zeros(given.shape, given.dtype)
     memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
     call("kstrip_rolling_radius_difference", single, wheelset.structure, track.structure, given, count_of(given.size), int(bool(with_roll)),
-         memory, made)
+         memory, made, None)
     return made
 
 
@@ -202,7 +202,7 @@ def equivalent_conicity(shifts: ArrayLike, differences: ArrayLike, amplitudes: A
         raise ValueError(f"shifts and differences have different shapes: shifts {across.shape}, differences {radii.shape}")
     conicities, lengths = real(wanted.shape, False)[0], real(wanted.shape, False)[0]
     call("kstrip_equivalent_conicity", False, across, radii, count_of(across.size), float(running_circles), float(wheel_radius), wanted,
-         count_of(wanted.size), conicities, lengths)
+         count_of(wanted.size), conicities, lengths, None)
     return Conicity(conicities.reshape(wanted.shape), lengths.reshape(wanted.shape))
 
 

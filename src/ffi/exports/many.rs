@@ -20,14 +20,17 @@ use crate::ffi::support::*;
 /// @param positions, position_stride  where they are.
 /// @param velocities, velocity_stride  how they move.
 /// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
-/// @param[out] wrenches   array of count elements; receives force and moment.
+/// @param[out] wrenches   array of count elements; receives force and moment, and with them the
+///                        number of contacts.
 /// @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
 ///                        NULL: not needed.
-/// @param[out] contacts   array of count times room elements; receives the first contacts of each
-///                        wheel, their unused strips zero; NULL: not needed.
+/// @param[out] contacts   array of count times room elements; receives the first room contacts of
+///                        each wheel, their unused strips zero; NULL: not needed. A wheel of fewer
+///                        contacts leaves the rest untouched. Those of wheel i begin at i room.
 /// @param room            contacts of each wheel for which there is room, at most
 ///                        KSTRIP_CONTACTS_CAPACITY.
-/// @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail().
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
+///                        NULL: not needed.
 /// @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
 ///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
 ///         of any wheel.
@@ -108,7 +111,8 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 /// @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
 /// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
 /// @param[out] verticals  array of count elements; receives the vertical positions [m].
-/// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load().
+/// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
+///                        NULL: not needed.
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_heights_for_loads"))]
 pub unsafe extern "C" fn kstrip_heights_for_loads(
@@ -164,7 +168,8 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
 ///                        kstrip_wheels_on_rails().
 /// @param[out] forces     array of count elements; receives the forces.
 /// @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
-/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track().
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
+///                        NULL: not needed.
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_wheelsets_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelsets_on_track(
@@ -211,7 +216,8 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
 /// @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
 /// @param[out] positions, moves  arrays of count elements.
 /// @param[out] forces     array of count elements; NULL: not needed.
-/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle().
+/// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();
+///                        NULL: not needed.
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_wheelsets_settle"))]
 pub unsafe extern "C" fn kstrip_wheelsets_settle(

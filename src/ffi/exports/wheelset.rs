@@ -3,7 +3,7 @@
 use super::F;
 use super::wheel_rail::{fits, scene_of};
 use crate::ffi::support::*;
-use crate::wheelset::conicity::RadiusDifference;
+use crate::wheelset::conicity::{RadiusDifference, check_circles};
 use crate::wheelset::forces::Wheelset;
 use crate::wheelset::kinematics::Side;
 use crate::wheelset::track::{RailMotion, gauge_face};
@@ -174,9 +174,12 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
 /// @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
 ///                        the wheelset has on both rails.
 /// @param workspace       memory that may hold anything.
-/// @param[out] differences  array of count elements; receives the differences [m]. (After an error
-///                        some may have been written.)
-/// @return KSTRIP_OK or an error of kstrip_wheelset_on_track().
+/// @param[out] differences  array of count elements; receives the differences [m]. An element with
+///                        an error is untouched and does not stop the others.
+/// @param[out] statuses   array of count elements; receives the status of each shift; NULL: not
+///                        needed.
+/// @return KSTRIP_OK or an error of kstrip_wheelset_on_track(): that of the first shift without a
+///         difference, or one without a status of any shift.
 #[unsafe(export_name = symbol!("kstrip_rolling_radius_difference"))]
 pub unsafe extern "C" fn kstrip_rolling_radius_difference(
     set: Option<&WheelsetParts<F>>,
@@ -186,19 +189,20 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
     with_roll: i32,
     workspace: Option<&mut WheelsetWorkspace<F>>,
     differences: *mut F,
+    statuses: *mut kstrip_status,
 ) -> kstrip_status {
     // SAFETY: the pointers in the structures are NULL or valid, arrays have count elements, says
     // the header.
     unsafe {
         on_track(set, track, |wheelset| {
-            let (shifts, differences) = (input(shifts, count)?, output(differences, count)?);
-            let memory = given(workspace)?;
-            Error::NotFinite.unless(are_finite(shifts))?;
-            for (shift, difference) in shifts.iter().zip(differences) {
-                let found = wheelset.rolling_radius_difference(*shift, with_roll != 0, memory)?;
-                difference.write(found);
-            }
-            Ok(Warning::None)
+            let (shifts, memory) = (input(shifts, count)?, given(workspace)?);
+            Error::NullPointer.unless(count == 0 || !differences.is_null())?;
+            each_element(count, statuses, |i| {
+                fill(element(differences, i), || {
+                    let shift = *given(shifts.get(i))?;
+                    wheelset.rolling_radius_difference(shift, with_roll != 0, memory)
+                })
+            })
         })
     }
 }
@@ -212,13 +216,19 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
 /// @param running_circles  distance of the running circles [m], > 0, about 1.5.
 /// @param wheel_radius    radius of the wheels [m], > 0.
 /// @param amplitudes, number  amplitudes of the motion [m], > 0.
-/// @param[out] conicities   array of number elements; receives the conicities [-].
-/// @param[out] wave_lengths  array of number elements; receives the wave lengths [m]; NULL: not
-///                        needed.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (too few
-///         shifts, or they do not ascend), KSTRIP_ERROR_GAUGE, KSTRIP_ERROR_ROLLING_RADIUS,
-///         KSTRIP_ERROR_CONICITY (an amplitude is not positive or beyond the shifts, or the radii
-///         do not bring the wheelset back).
+/// @param[out] conicities   array of number elements; receives the conicities [-], >= 0: 0 where
+///                        the radii do not differ over a part of the motion. An element with an
+///                        error is untouched and does not stop the others.
+/// @param[out] wave_lengths  array of number elements; receives the wave lengths [m], INFINITY
+///                        where the conicity is 0; NULL: not needed.
+/// @param[out] statuses   array of number elements; receives the status of each amplitude; NULL:
+///                        not needed.
+/// @return KSTRIP_OK, or the error of the first amplitude without a conicity:
+///         KSTRIP_ERROR_CONICITY (it is not positive or beyond the shifts, or the radii turn the
+///         wheelset away from the middle), KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW; or,
+///         without a status of any amplitude, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+///         KSTRIP_ERROR_PROFILE (too few shifts, or they do not ascend), KSTRIP_ERROR_GAUGE,
+///         KSTRIP_ERROR_ROLLING_RADIUS.
 #[unsafe(export_name = symbol!("kstrip_equivalent_conicity"))]
 pub unsafe extern "C" fn kstrip_equivalent_conicity(
     shifts: *const F,
@@ -230,33 +240,27 @@ pub unsafe extern "C" fn kstrip_equivalent_conicity(
     number: u32,
     conicities: *mut F,
     wave_lengths: *mut F,
+    statuses: *mut kstrip_status,
 ) -> kstrip_status {
     // SAFETY: arrays are NULL or have as many elements as their counts say, says the header.
-    let (shifts, differences, amplitudes, conicities) = unsafe {
-        (
-            input(shifts, count),
-            input(differences, count),
-            input(amplitudes, number),
-            output(conicities, number),
-        )
-    };
-    let wanted = if wave_lengths.is_null() { 0 } else { number };
-    // SAFETY: the same.
-    let wave_lengths = unsafe { output(wave_lengths, wanted) };
+    let (shifts, differences, amplitudes) =
+        unsafe { (input(shifts, count), input(differences, count), input(amplitudes, number)) };
     answer(|| {
-        let radii = RadiusDifference::new(shifts?, differences?)?;
-        let (amplitudes, mut lengths) = (amplitudes?, wave_lengths?.iter_mut());
-        let wave = |amplitude: &F| radii.wave(*amplitude, running_circles, wheel_radius);
-        // (nothing is written where one of them has no wave)
-        amplitudes.iter().try_for_each(|amplitude| wave(amplitude).map(|_| ()))?;
-        for (amplitude, conicity) in amplitudes.iter().zip(conicities?) {
-            let found = wave(amplitude)?;
-            conicity.write(found.conicity);
-            if let Some(length) = lengths.next() {
-                length.write(found.length);
-            }
+        let (radii, amplitudes) = (RadiusDifference::new(shifts?, differences?)?, amplitudes?);
+        Error::NullPointer.unless(number == 0 || !conicities.is_null())?;
+        check_circles(running_circles, wheel_radius)?;
+        // SAFETY: the same.
+        unsafe {
+            each_element(number, statuses, |i| {
+                answer(|| {
+                    let amplitude = *given(amplitudes.get(i))?;
+                    let found = radii.wave(amplitude, running_circles, wheel_radius)?;
+                    put(element(conicities, i), found.conicity);
+                    put(element(wave_lengths, i), found.length);
+                    Ok(Warning::None)
+                })
+            })
         }
-        Ok(Warning::None)
     })
 }
 

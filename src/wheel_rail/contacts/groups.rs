@@ -22,7 +22,7 @@
 
 use crate::normal::crossings::Overlap;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Dual, Float, pairs};
+use crate::number::{Dual, Float};
 use crate::numerics::{ramp, smooth_step};
 use crate::status::Error;
 use core::mem;
@@ -88,13 +88,6 @@ impl<F: Float> Overlaps<F> {
         {
             *last = joined(last, &zone);
         }
-    }
-
-    /// The number of contacts whose free length is at least 4 mm.
-    pub fn apart(&self) -> usize {
-        let pairs = pairs(&self.list);
-        let gaps = pairs.filter(|(zone, next)| free(zone, next) >= F::of(ONE_CONTACT)).count();
-        gaps + usize::from(!self.list.is_empty())
     }
 
     /// Adds the groups to none, in ascending order of their first zone; of several from one zone

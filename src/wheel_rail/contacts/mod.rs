@@ -294,15 +294,13 @@ impl<F: Float> WheelContact<F> {
     }
 }
 
-/// Groups the zones; returns how many contacts are separate. (Out of line, to keep no zones.)
+/// Groups the zones. (Out of line, to keep no zones.)
 #[inline(never)]
 fn group_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,
     groups: &mut Groups<F>,
-) -> Result<u32, Error> {
-    let zones = Overlaps::of_curve(curve, |own| own.value);
-    zones.group(groups)?;
-    Ok(zones.apart() as u32)
+) -> Result<(), Error> {
+    Overlaps::of_curve(curve, |own| own.value).group(groups)
 }
 
 /// The result of [`from_gap`].
@@ -310,8 +308,6 @@ fn group_zones<F: Float, const N: usize>(
 pub struct ContactCount {
     /// Contacts that were written.
     pub written: usize,
-    /// Contacts more than 4 mm apart.
-    pub apart: u32,
     /// The warning, if there is one.
     pub warning: Warning,
 }
@@ -333,12 +329,12 @@ pub fn from_gap<F: Float>(
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;
-    let mut found = ContactCount { written: 0, apart: 0, warning: Warning::None };
+    let mut found = ContactCount { written: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
     with_cells(count, |cells| {
         let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
         let mut groups = Groups::new();
-        found.apart = group_zones(&curve, &mut groups)?;
+        group_zones(&curve, &mut groups)?;
         for group in &groups {
             curve.restrict(&group.whole);
             let approach = Dual::input(group.whole.depth, 0);

@@ -39,9 +39,11 @@ pub struct Wrench<F> {
     /// creep forces on the wheel is minus this, but for contacts with a mismatch of the materials,
     /// where pressure adds to the slip.
     pub dissipation: F,
-    /// Sum of the loads of all contacts \[N\], each along its own normal.
+    /// Sum of the loads of all contacts \[N\], each along its own normal: share times normal_force
+    /// of kstrip_wheel_contact, times the factor of the damping.
     pub normal_force: F,
-    /// Number of contacts; 0: the wheel is lifted, and nothing acts.
+    /// Number of contacts, those that kstrip_wheel_workspace lists; of a wheelset those of both
+    /// wheels. 0: the wheel is lifted, and nothing acts.
     pub contacts: u32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,

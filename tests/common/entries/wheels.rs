@@ -632,8 +632,9 @@ fn rolling_radius_difference(bytes: &mut Bytes) {
     let scene = Scene::new(bytes);
     let (set, track) = wheelset(bytes, &scene);
     let shifts: [Float; 3] = [Number::of(bytes, 1e-3), 0.0, Number::of(bytes, 1e-3)];
-    let (given, mut out) = (bytes.given(), poisoned::<[Float; 3]>());
+    let (given, mut out) = (bytes.given(), poisoned_array::<Float, 3>());
     let mut memory = zeroed::<kstrip_wheelset_workspace>();
+    let mut statuses = [77; 3];
     // SAFETY: the pointers in the structures are NULL or valid, the arrays have three elements.
     let status = unsafe {
         kstrip_rolling_radius_difference(
@@ -643,13 +644,18 @@ fn rolling_radius_difference(bytes: &mut Bytes) {
             3,
             i32::from(bytes.byte() % 2),
             given.has(3).then_some(&mut memory),
-            given.place(4, &mut out).cast(),
+            given.places(4, &mut out),
+            statuses.as_mut_ptr(),
         )
     };
-    // (with an error some elements may have been written)
-    if answered(status, true) {
-        assert!(finite(&written(&out)));
+    if statuses == [77; 3] {
+        assert!(status < 0 && all_untouched(&out));
+        return;
     }
+    for (own, out) in statuses.iter().zip(&out) {
+        assert!(!answered(*own, untouched(out)) || finite(&[written(out)]));
+    }
+    is_first_bad(status, &statuses);
 }
 
 fn equivalent_conicity(bytes: &mut Bytes) {
@@ -664,8 +670,8 @@ fn equivalent_conicity(bytes: &mut Bytes) {
     }
     let amplitudes: [Float; 2] = [positive(bytes, 1e-3), positive(bytes, 3e-3)];
     let (circles, radius) = (positive(bytes, 1.5), positive(bytes, 0.46));
-    let (given, mut out) = (bytes.given(), poisoned::<[Float; 2]>());
-    let mut lengths = poisoned::<[Float; 2]>();
+    let (given, mut out) = (bytes.given(), poisoned_array::<Float, 2>());
+    let (mut lengths, mut statuses) = (poisoned_array::<Float, 2>(), [77; 2]);
     // SAFETY: NULL or as many elements as the counts say.
     let status = unsafe {
         kstrip_equivalent_conicity(
@@ -676,14 +682,26 @@ fn equivalent_conicity(bytes: &mut Bytes) {
             radius,
             given.array(2, &amplitudes),
             2,
-            given.place(3, &mut out).cast(),
-            given.place(4, &mut lengths).cast(),
+            given.places(3, &mut out),
+            given.places(4, &mut lengths),
+            statuses.as_mut_ptr(),
         )
     };
-    if answered(status, untouched(&out) && untouched(&lengths)) {
-        let conicities = written(&out);
-        assert!(finite(&conicities) && conicities.iter().all(|conicity| *conicity > 0.0));
+    if statuses == [77; 2] {
+        assert!(status < 0 && all_untouched(&out) && all_untouched(&lengths));
+        return;
     }
+    for ((own, out), length) in statuses.iter().zip(&out).zip(&lengths) {
+        if answered(*own, untouched(out) && untouched(length)) {
+            let conicity = written(out);
+            assert!(finite(&[conicity]) && conicity >= 0.0, "{conicity}");
+            if given.has(4) {
+                assert_eq!(written(length) == Float::INFINITY, conicity == 0.0);
+                assert!(written(length) > 0.0);
+            }
+        }
+    }
+    is_first_bad(status, &statuses);
 }
 
 pub const ENTRIES: &[Entry] = &[
