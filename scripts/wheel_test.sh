@@ -16,7 +16,7 @@ trap 'rm -rf "$work"' EXIT
 fail() { echo "wheel: $*"; exit 1; }
 skip() { echo "SKIPPED: the Python wheel: $*"; exit 77; }
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_RETRIES=1 CARGO_TERM_QUIET=true
-unset PYTHONPATH KSTRIP_LIBRARY KSTRIP_HEADER
+unset PYTHONPATH KSTRIP_LIBRARY
 python3 -m venv "$work/pip" > "$work/log" 2>&1 || skip "python3 -m venv does not work here"
 "$work/pip/bin/pip" install --quiet auditwheel build > "$work/log" 2>&1 || skip "packages cannot be fetched"
 
@@ -76,7 +76,8 @@ import numpy as np, kstrip
 from kstrip import plot
 rail, wheel = (kstrip.read_profile(f"{sys.argv[1]}/tests/data/wheel_rail/{name}.csv").prepare() for name in ("uic60", "s1002"))
 pair = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
-figure = plot.lateral_shift(rail, wheel, pair, np.linspace(-6e-3, 6e-3, 61), load=50e3, offset=0.75 - 0.7605325)
+wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
+figure = plot.lateral_shift(wheelset, track, np.linspace(-6e-3, 6e-3, 61), load=50e3)
 figure.savefig("picture.svg")
 PYTHON
 (cd "$work/home" && bare "$work/bare/bin/python" -I picture.py "$root") || fail "no picture"

@@ -5,8 +5,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "bindings" / "python" / "kstrip"))
-import _header  # noqa: E402  (kstrip.h is read as the Python package reads it)
+sys.path.insert(0, str(ROOT / "bindings" / "python"))
+import read_header  # noqa: E402  (kstrip.h is read as for the Python package)
 
 #: Bytes of a member in the 32 bits of WebAssembly
 SIZES = {"double": 8, "int32_t": 4, "uint32_t": 4, "kstrip_status": 4, "ptrdiff_t": 4}
@@ -18,7 +18,7 @@ def text():
 
 
 def constants(header):
-    return _header.constants(header)
+    return read_header.constants(header)
 
 
 def structures(header):
@@ -27,10 +27,10 @@ def structures(header):
     members: {name: {"type", "offset"}}, with "count" for an array and "pointer" for an address.
     """
     known, numbers = {}, constants(header)
-    for match in _header.STRUCTURE.finditer(header):
+    for match in read_header.STRUCTURE.finditer(header):
         body = re.sub(r"/\*.*?\*/", "", match["body"], flags=re.S)
         members, offset, alignment = {}, 0, 4
-        for kind, pointer, name, counts in _header.MEMBER.findall(body):
+        for kind, pointer, name, counts in read_header.MEMBER.findall(body):
             size = 4 if pointer else SIZES.get(kind) or known[kind]["size"]
             align = size if pointer or kind in SIZES else known[kind]["align"]
             offset = -(-offset // align) * align
@@ -51,7 +51,7 @@ def structures(header):
 def prototypes(header):
     """{name: {"parameters": [{"name", "type", "pointer"}], "text": whether it returns a text}} of every function"""
     found = {}
-    for match in _header.FUNCTION.finditer(header):
+    for match in read_header.FUNCTION.finditer(header):
         parameters = [] if match["arguments"] == "void" else match["arguments"].split(",")
         parts = [PARAMETER.fullmatch(" ".join(one.split())) for one in parameters]
         found[match["name"]] = {

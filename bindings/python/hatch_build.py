@@ -9,16 +9,17 @@ import sysconfig
 
 from elftools.elf.elffile import ELFFile
 from hatchling.builders.hooks.plugin.interface import BuildHookInterface
+from packaging.tags import platform_tags
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import platform_tag
 
 # What cargo needs, with the manifest of the tests' crate, which it reads but does not build; in a source distribution it stands in `rust`.
 SOURCES = ("src", "include", "scripts/library.sh", "Cargo.toml", "Cargo.lock", "tests/common/Cargo.toml", "LICENSE-APACHE", "LICENSE-MIT")
 
 
 def platform_of(library):
-    """The platform tag of a wheel with this library: on Linux manylinux, by the newest glibc whose symbols the library needs.
-
-    `auditwheel show` checks the tag in scripts/wheel_test.sh.
-    """
+    """The platform tag of a wheel with this library; `auditwheel show` checks it in scripts/wheel_test.sh."""
     platform = sysconfig.get_platform().replace("-", "_").replace(".", "_")
     if not platform.startswith("linux_"):
         return platform
@@ -27,11 +28,7 @@ def platform_of(library):
         needed = {tag.needed for tag in elf.get_section_by_name(".dynamic").iter_tags("DT_NEEDED")}
         wanted = elf.get_section_by_name(".gnu.version_r")
         versions = [] if wanted is None else [version.name for _, of in wanted.iter_versions() for version in of]
-    if not needed <= {"libc.so.6"} or not all(version.startswith("GLIBC_2.") for version in versions):
-        return platform
-    # manylinux_2_17 (manylinux2014) is the oldest that pip is asked for.
-    newest = max([17, *(int(version.split(".")[1]) for version in versions)])
-    return platform.replace("linux", f"manylinux_2_{newest}", 1)
+    return platform_tag.linux(platform, needed, versions, list(platform_tags()))
 
 
 class Library(BuildHookInterface):

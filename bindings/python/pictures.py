@@ -48,7 +48,8 @@ def patch_on_profiles():
 
 
 def lateral_shift():
-    return plot.lateral_shift(RAIL, WHEEL, PAIR, np.linspace(-6e-3, 6e-3, 61), load=50e3, offset=0.75 - 0.7605325)
+    wheelset, track = kstrip.Wheelset(WHEEL, PAIR, back_to_back=1.36), kstrip.Track(RAIL, gauge=1.435)
+    return plot.lateral_shift(wheelset, track, np.linspace(-6e-3, 6e-3, 61), load=50e3)
 
 
 def measured_curve():

@@ -98,7 +98,7 @@ def main():
     right, lateral = forces(shifts), carried(shifts).lateral
     difference = rolling_radius(shifts) - rolling_radius(shifts, left=True)
     for i, shift in enumerate(shifts):
-        contact = right.contacts[i, np.argmax(right.contacts[i].normal_force)]
+        contact = right.contacts[i, int(np.argmax(right.contacts.normal_force[i]))]
         place = float(contact.origin[1] + lateral[i])
         fx, fy, _ = right.wrench.force[i] * 1e-3
         print(f"{shift * 1e3:9.1f} {place * 1e3:15.2f} {np.degrees(contact.angle):14.2f} {difference[i] * 1e3:19.3f} {fx:16.2f} {fy:9.2f}")

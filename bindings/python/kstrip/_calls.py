@@ -1,125 +1,201 @@
-"""Calls of the C library: one, and one for each element."""
+"""Calls of the C library: one for each element of arguments that broadcast."""
 
 from __future__ import annotations
 
-import mmap
+import ctypes
+import math
 import sys
-from typing import Any, Callable, Iterable, Optional, Sequence
+import threading
+from itertools import islice, repeat
+from typing import Any, Callable, Iterable, Optional, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._inputs import Plain, Shape
-from ._library import dtypes, function_of
-from ._status import gravity, report
+from ._batch import Batch, layout_of
+from ._inputs import Plain, Shape, array_of, broadcast, flat, floats, one
+from ._library import dtype_of, function_of
+from ._status import KstripError, gravity, report, warn
+from ._value import Value
 
-#: Elements one after the other, and the distance of two in bytes
-Strided = tuple[Plain, int]
+#: Results of any kind
+R = TypeVar("R")
+
+_start = ctypes.c_char.from_buffer
+
+
+def address(array: Any) -> int:
+    """The address of writable memory."""
+    return ctypes.addressof(_start(array))
+
+
+def zeros(structure: str, single: bool) -> NDArray[np.void]:
+    """A structure of zeros for the output of one call."""
+    return np.zeros((), dtype_of(structure, single))
 
 
 def call(name: str, single: bool, *arguments: Any) -> None:
-    """One call: arrays go as addresses."""
+    """One call; arrays go as addresses."""
     report(function_of(name, single)(*(a.ctypes.data if isinstance(a, np.ndarray) else a for a in arguments)))
 
 
-def size_of(shape: Shape) -> int:
-    return int(np.prod(shape))
-
-
-def index_of(at: int, shape: Shape) -> Optional[tuple[int, ...]]:
-    """The index of an element, by its number."""
-    return tuple(int(k) for k in np.unravel_index(at, shape)) if shape else None
-
-
-class Worst:
-    """The most serious status of many calls, and the number of its element."""
+class Memory(threading.local):
+    """Memory of each thread."""
 
     def __init__(self) -> None:
-        self.status, self.at = 0, 0
+        self._spaces: dict[np.dtype[Any], tuple[NDArray[np.void], int]] = {}
 
-    def add(self, status: int, at: int) -> bool:
-        """Whether this one is an error."""
-        if status < 0 or gravity(status) > gravity(self.status):
-            self.status, self.at = status, at
-        return status < 0
+    def workspace(self, structure: str, single: bool) -> tuple[NDArray[np.void], int]:
+        """A structure that may hold anything, and its address."""
+        dtype = dtype_of(structure, single)
+        if dtype not in self._spaces:
+            made = np.zeros((), dtype)
+            self._spaces[dtype] = made, address(made)
+        return self._spaces[dtype]
 
-    def report(self, shape: Shape) -> None:
-        report(self.status, index_of(self.at, shape) if self.status else None)
+
+memory = Memory()
 
 
-def progress(count: int, what: str, part: int = 1) -> Iterable[int]:
-    """0, 1, ..., count - 1, each for a part of this many elements; with a bar on a terminal where tqdm is installed and the sweep takes more than two seconds."""
-    if count * part > 1000 and sys.stderr is not None and sys.stderr.isatty():
+def progress(calls: Iterable[Any], count: int, name: str) -> Iterable[Any]:
+    """The calls of a sweep; with a bar on a terminal if tqdm is installed and the sweep takes more than two seconds."""
+    if count > 1000 and sys.stderr is not None and sys.stderr.isatty():
         try:
             from tqdm import tqdm  # type: ignore[import-untyped, unused-ignore]
         except ImportError:
-            return range(count)
-        bar: Iterable[int] = tqdm(range(count), desc=what, delay=2.0, leave=False)
+            return calls
+        bar: Iterable[Any] = tqdm(calls, desc=name.removeprefix("kstrip_"), total=count, delay=2.0, leave=False)
         return bar
-    return range(count)
+    return calls
 
 
-def each(name: str, single: bool, shape: Shape, *arguments: Any) -> None:
-    """A call for each element of the arrays in the tuples (array, distance in bytes); other arguments are for all."""
-    function, worst = function_of(name, single), Worst()
-    begins = [(a[0].ctypes.data, a[1]) if isinstance(a, tuple) else None for a in arguments]
-    for i in progress(size_of(shape), name):
-        status = function(*(a if begin is None else begin[0] + i * begin[1] for a, begin in zip(arguments, begins)))
-        if status and worst.add(status, i):
-            break
-    worst.report(shape)
+class Elements:
+    """Arguments that broadcast, element by element.
 
-
-#: Elements of one call, between two states of the progress bar
-PART = 100
-
-
-def many(name: str, single: bool, shape: Shape, fixed: Iterable[Any], inputs: Iterable[Optional[Strided]], memory: Plain,
-         outputs: Iterable[Optional[Strided]], to: Sequence[Any] = (), after: Optional[Callable[[int, int], None]] = None) -> None:
-    """Calls a function that takes many elements, a part of them at a time.
-
-    fixed: addresses of structures that all elements share. inputs: arrays with the distance of their elements in bytes; None: NULL. outputs: the
-    same, without distance. to: more arguments. after: called with the first element and the size of each part.
+    Each argument is given as its class and a value, a batch or None; the class `float` stands for a number or an array of numbers.
+    columns: for each argument what the C library takes, one after the other: bytes, addresses or numbers.
     """
-    function, worst, count = function_of(name, single), Worst(), size_of(shape)
-    ins, outs = ([None if a is None else (a[0].ctypes.data, a[1]) for a in arrays] for arrays in (inputs, outputs))
-    statuses = np.zeros(PART, np.int32)
-    for part in progress(-(-count // PART), name.removeprefix("kstrip_"), PART):
-        first = part * PART
-        size = min(PART, count - first)
-        given = [word for a in ins for word in ((None, 0) if a is None else (a[0] + first * a[1], a[1]))]
-        places = [None if a is None else a[0] + first * a[1] for a in outs]
-        status = function(*fixed, size, *given, memory.ctypes.data, *places, *to, statuses.ctypes.data)
-        if status:
-            for i in np.flatnonzero(statuses[:size]):
-                if worst.add(int(statuses[i]), first + int(i)):
-                    worst.report(shape)
-        if after is not None:
-            after(first, size)
-    worst.report(shape)
+
+    def __init__(self, single: bool, on_error: str, **arguments: tuple[Any, Any]):
+        if on_error not in ("raise", "nan"):
+            raise ValueError(f"on_error: 'raise' or 'nan' is needed, not {on_error!r}")
+        self.single, self._on_error, self._arguments = single, on_error, arguments
+        self.columns: dict[str, Iterable[Any]] = dict.fromkeys(arguments, repeat(None))
+        arrays: dict[str, Plain] = {}
+        for name, (kind, value) in arguments.items():
+            if kind is None:
+                continue
+            if type(value) is kind:
+                self.columns[name] = repeat(value if kind is float else one(name, kind, value, single))
+            else:
+                arrays[name] = floats(value, name) if kind is float else array_of(name, kind, value, single)
+        #: Whether the results are batches
+        self.many = any(array.ndim or arguments[name][0] is not float for name, array in arrays.items())
+        self.shape: Shape = broadcast(**arrays) if arrays else ()
+        self.count = math.prod(self.shape)
+        #: The elements of arrays one after the other, and their distance in bytes
+        self._flat = {name: flat(array, self.shape) for name, array in arrays.items()}
+        for name, (elements, distance) in self._flat.items():
+            if arguments[name][0] is float:
+                self.columns[name] = elements.tolist() if distance else repeat(float(elements[0]))
+            else:
+                first = elements.ctypes.data
+                self.columns[name] = range(first, first + self.count * distance, distance) if distance else repeat(first)
+
+    def array(self, name: str) -> tuple[Plain, int]:
+        """The elements of an argument one after the other, and their distance in bytes: 0 if there is one for all."""
+        if name not in self._flat:
+            kind, value = self._arguments[name]
+            self._flat[name] = flat(array_of(name, kind, value, self.single), self.shape)
+        return self._flat[name]
+
+    def out(self, structure: str) -> tuple[NDArray[np.void], Iterable[int]]:
+        """Zeroed structures for the results, and their addresses."""
+        return self._out(dtype_of(structure, self.single))
+
+    def real(self) -> tuple[Plain, Iterable[int]]:
+        """The same for numbers."""
+        return self._out(np.dtype(np.float32 if self.single else np.float64))
+
+    def _out(self, dtype: np.dtype[Any]) -> tuple[Any, Iterable[int]]:
+        made = np.zeros(self.shape, dtype)
+        first = address(made) if self.count else 0
+        return made, range(first, first + self.count * dtype.itemsize, dtype.itemsize)
+
+    def run(self, name: str, *columns: Iterable[Any], after: Optional[Callable[[int], None]] = None) -> list[int]:
+        """A call for each element, and the status of each. after: called with each status."""
+        function = function_of(name, self.single)
+        calls = progress(islice(zip(*columns), self.count), self.count, name)
+        if after is None:
+            return [function(*each) for each in calls]
+        found = []
+        for each in calls:
+            found.append(function(*each))
+            after(found[-1])
+        return found
+
+    def given(self, name: str) -> Any:
+        """A copy of an argument."""
+        value = self._arguments[name][1]
+        return layout_of(type(value)).copy(value) if isinstance(value, Value) else value.copy() if isinstance(value, Batch) else value
+
+    def result(self, kind: type[Value], array: NDArray[np.void], statuses: Any) -> Any:
+        """A batch, or a value if all arguments are values."""
+        return Batch(kind, array, statuses) if self.many else layout_of(kind).value(array)
+
+    def numbers(self, array: Plain) -> Any:
+        """An array, or a number if all arguments are values."""
+        return array if self.many else float(array)
+
+    def statuses(self, found: Any, *outputs: Optional[Plain]) -> Any:
+        """Statuses in the shape of the elements, or that of one value; the outputs of elements that failed become NaN."""
+        array = np.array(found, np.int32) if self.many else found
+        for i in np.flatnonzero(array < 0) if self.many else range(found[0] < 0):
+            for output in outputs:
+                if output is not None:
+                    blank(output.reshape(-1)[i : i + 1], int(array[i]))
+        return array.reshape(self.shape) if self.many else found[0]
+
+    def report(self, results: R, statuses: Any) -> R:
+        """The results; raises the first error, or warns of the most serious warning."""
+        if np.any(statuses) if self.many else statuses:
+            self._report(results, np.reshape(statuses, -1))
+        return results
+
+    def _report(self, results: Any, found: Any) -> None:
+        first = int(np.argmax(found < 0))
+        if found[first] < 0 and self._on_error == "raise":
+            raise KstripError(int(found[first]), self.index(first), results, found.reshape(self.shape)[()], self._shown(first))
+        worst = max(np.unique(found).tolist(), key=gravity)
+        if worst > 0:
+            warn(worst, self.index(int(np.argmax(found == worst))))
+
+    def index(self, i: int) -> Optional[tuple[int, ...]]:
+        """The index of an element by its number; None for one value."""
+        return tuple(int(k) for k in np.unravel_index(i, self.shape)) if self.shape else None
+
+    def _shown(self, i: int) -> str:
+        """The arguments of an element by name."""
+        lines = []
+        for name, (kind, value) in self._arguments.items():
+            if isinstance(value, Batch):
+                lines.append(f"{name}: {Batch(value.kind, np.broadcast_to(value.data, self.shape).reshape(-1))[i]}")
+            elif kind is not None:
+                lines.append(f"{name}: {np.broadcast_to(value, self.shape).reshape(-1)[i] if kind is float else value}")
+        return "\n".join(lines)
 
 
-def lazy(shape: Shape, dtype: np.dtype[Any]) -> Plain:
-    """Zeros, of which only what is written to takes memory and time: where the system can, in small pages (numpy requests large ones, and the
-    system then clears 2 MiB at a time)."""
-    size = size_of(shape) * dtype.itemsize
-    if not size or not hasattr(mmap, "MADV_NOHUGEPAGE"):
-        return np.zeros(shape, dtype)
-    memory = mmap.mmap(-1, size, flags=mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS)
-    try:
-        memory.madvise(mmap.MADV_NOHUGEPAGE)
-    except OSError:
-        pass
-    return np.frombuffer(memory, dtype).reshape(shape)
+def optional(kind: Any, value: Any) -> tuple[Any, Any]:
+    """An argument that may be None."""
+    return (None, None) if value is None else (kind, value)
 
 
-def out(name: str, shape: Shape, single: bool) -> tuple[NDArray[np.void], int]:
-    """Zeroed structures for results, one after the other, and their distance in bytes."""
-    made = np.zeros(size_of(shape), dtypes[name + "_f32" * single])
-    return made, made.dtype.itemsize
-
-
-def real(shape: Shape, single: bool) -> tuple[Plain, int]:
-    """The same for numbers."""
-    made = np.zeros(size_of(shape), np.float32 if single else np.float64)
-    return made, made.dtype.itemsize
+def blank(element: Plain, status: int) -> None:
+    """Fills structures with NaN, whole numbers with 0 and their status with a status."""
+    if element.dtype.names is None:
+        element[...] = np.nan if element.dtype.kind == "f" else 0
+        return
+    for name in element.dtype.names:
+        blank(element[name], status)
+        if name == "status_detail":
+            element[name] = status

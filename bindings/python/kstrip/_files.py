@@ -15,8 +15,8 @@ from ._files_formats import kind_of_extension, read_points
 from ._files_points import UNITS, Array, Points, ProfileError, ProfileWarning, Wanted
 from ._files_shape import DECISIVE, WEAK, Evidence, Shape, shape_of
 from ._files_table import as_missing
-from ._types import Surface
-from ._wheel import prepare_profile
+from ._group import Group
+from ._wheel import PreparedProfile, prepare_profile
 
 #: Distance of the running circle from the flange back [m].
 _FLANGE_BACK = 0.070
@@ -24,7 +24,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)
-class Profile:
+class Profile(Group):
     """The points of a wheel's or a rail's profile as the library takes them.
 
     y, z: in metres, shape (n,), toward larger y, z down; the flange of a wheel and the gauge side of a rail are at small y.
@@ -39,7 +39,7 @@ class Profile:
     notes: tuple[str, ...] = ()
     source: str = ""
 
-    def prepare(self, step: float = 0.0, smoothing_length: float = 0.0, dtype: DTypeLike = np.float64) -> Surface:
+    def prepare(self, step: float = 0.0, smoothing_length: float = 0.0, dtype: DTypeLike = np.float64) -> PreparedProfile:
         """prepare_profile() of the points; smoothing_length [m]: 2 to 4 mm suit measured profiles."""
         return prepare_profile(self.y, self.z, step, smoothing_length, dtype)
 
@@ -69,9 +69,10 @@ def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, fl
     Raises ProfileError with file and line for what cannot be read, OSError for a file that is not there. Warns with ProfileWarning if the
     evidence is weak, or if the shape contradicts the file.
 
-    >>> wheel = kstrip.read_profile("s1002.prw")
-    >>> wheel.kind, wheel.y.shape, wheel.notes
-    >>> surface = wheel.prepare()
+    >>> profile = kstrip.read_profile("s1002.csv")
+    >>> profile.kind, profile.y.shape, profile.notes[-1]
+    ('wheel', (399,), 'wheel, by its shape')
+    >>> wheel = profile.prepare()
     """
     wanted = _wanted(kind, units, columns, skip, missing, decimal)
     return _profiles([_points(path, wanted)], kind, units, mirror_y, mirror_z, shift)[0]
@@ -85,7 +86,8 @@ def read_profiles(paths: Iterable[Path], *, kind: Optional[str] = None, units: U
 
     As read_profile(), but units, kind, side and direction of z are decided once, from all of them together.
 
-    >>> slices = kstrip.read_profiles(sorted(pathlib.Path("crossing").glob("*.txt")), kind="rail")
+    >>> len(kstrip.read_profiles(sorted(pathlib.Path(".").glob("uic60*.csv")), kind="rail"))
+    1
     """
     wanted = _wanted(kind, units, columns, skip, missing, decimal)
     return _profiles([_points(path, wanted) for path in paths], kind, units, mirror_y, mirror_z, shift)
@@ -97,7 +99,9 @@ def oriented(y: ArrayLike, z: ArrayLike, *, kind: Optional[str] = None, mirror_y
 
     As read_profile() of a table. `notes` lists what was changed.
 
-    >>> rail = kstrip.oriented(1e-3 * y, 1e-3 * height, kind="rail")
+    >>> y = np.linspace(-0.03, 0.03, 61)
+    >>> kstrip.oriented(y, -(y**2) / 0.6, kind="rail").z.max().round(5)
+    np.float64(0.0015)
     """
     _wanted(kind, None, None, 0, None, None)
     across, down = np.array(y, float), np.array(z, float)
@@ -366,6 +370,10 @@ def write_profile(path: Union[str, os.PathLike[str]], profile: Profile) -> None:
     .prw and .prr: SIMPACK; .whl and .ban: MiniProf; .csv: with the names y_mm, z_mm; any other: two columns.
     The flange or the gauge side is at small y, and z points down. A .whl file has y as the profile has it, and its header says so by
     `Origin=running circle`; instruments have y = 0 at the flange back.
+
+    >>> kstrip.write_profile("s1002.prw", kstrip.read_profile("s1002.csv"))
+    >>> kstrip.read_profile("s1002.prw").notes[0]
+    'SIMPACK profile, 399 points'
     """
     file = pathlib.Path(path)
     extension = file.suffix.lower()

@@ -10,14 +10,13 @@ where it rises by less than 20 degrees. The longest is the tread or the head. On
 
 from __future__ import annotations
 
-import ctypes
 import dataclasses
 from typing import Optional
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import lib, structures
+from ._library import dtypes, lib
 
 Array = NDArray[np.float64]
 #: Sine of the angle below which a part is flat.
@@ -94,16 +93,13 @@ class Shape:
 
 def prepared(y: Array, z: Array) -> Optional[tuple[Array, Array, Array, Array]]:
     """y, z and the direction of the profile at equal steps, without strays; None if no line follows the points."""
-    surface = structures["kstrip_surface"]()
+    surface = np.zeros((), dtypes["surface"])
     across, down = np.ascontiguousarray(y, float), np.ascontiguousarray(z, float)
-    pointer = ctypes.POINTER(ctypes.c_double)
     extent = float(np.hypot(np.ptp(across), np.ptp(down)))
-    status = lib.kstrip_prepare_profile(across.ctypes.data_as(pointer), down.ctypes.data_as(pointer), across.size, 0.0,
-                                        extent / 40.0, ctypes.byref(surface))
+    status = lib.kstrip_prepare_profile(across.ctypes.data, down.ctypes.data, across.size, 0.0, extent / 40.0, surface.ctypes.data)
     if status < 0:
         return None
-    count = surface.count
-    found = tuple(np.array(getattr(surface, name)[:count]) for name in ("y", "z", "cosine", "sine"))
+    found = tuple(surface[name][: int(surface["count"])] for name in ("y", "z", "cosine", "sine"))
     return found  # type: ignore[return-value]
 
 

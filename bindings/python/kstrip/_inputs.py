@@ -1,138 +1,138 @@
-"""Inputs: whatever comes in leaves as aligned, contiguous records of one precision."""
+"""Inputs: numbers, values and batches as the C library takes them."""
 
 from __future__ import annotations
 
 import operator
-from typing import Any, Optional, Union
+import struct
+from types import MappingProxyType
+from typing import Any, Mapping, Optional, Union
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, DTypeLike
 
-from ._library import dtypes, models, structures
-from ._record import as_record
+from ._batch import Batch, V, layout_of
+from ._library import dtype_of, models
+from ._value import Value
 
 Plain = np.ndarray[Any, np.dtype[Any]]
 Model = Union[str, int]
 Shape = tuple[int, ...]
+#: One value, or many of them
+Many = Union[V, Batch[V]]
 
 
 def numbers(value: ArrayLike, what: str) -> Plain:
+    """An array of real numbers."""
     try:
         array = np.asarray(value)
     except ValueError as error:
         raise TypeError(f"{what}: an array of real numbers is needed: {error}") from None
     if array.dtype.kind not in "biuf":
-        raise TypeError(f"{what}: real numbers are needed, not {array.dtype}")
+        raise TypeError(f"{what}: real numbers are needed, not {_described(value)}")
     return array
 
 
-def floats(value: ArrayLike, what: str, single: bool) -> Plain:
+def number(value: Any, what: str) -> float:
+    """One real number."""
+    array = numbers(value, what)
+    if array.size != 1:
+        raise ValueError(f"{what}: one number is needed, and this has the shape {array.shape}")
+    return float(array.reshape(()))
+
+
+def floats(value: ArrayLike, what: str, single: bool = False) -> Plain:
+    """A contiguous array of one precision."""
     with np.errstate(over="ignore"):
         return np.require(numbers(value, what), np.float32 if single else np.float64, ["C", "A"])
 
 
-def broadcast(**arrays: Optional[Plain]) -> Shape:
+def broadcast(**arrays: Plain) -> Shape:
     """The common shape; an error names each argument with its shape."""
-    shapes = {name: array.shape for name, array in arrays.items() if array is not None}
     try:
-        return np.broadcast_shapes(*shapes.values())
+        return np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
-        listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+        listed = ", ".join(f"{name} {array.shape}" for name, array in arrays.items())
         raise ValueError(f"these shapes do not broadcast: {listed}") from None
 
 
-def record(name: str, dtype: DTypeLike, **members: ArrayLike) -> Any:
-    """An array of structures from numbers and arrays that broadcast."""
+def precision(dtype: DTypeLike, what: str) -> bool:
+    """Whether a dtype is that of single precision."""
     if np.dtype(dtype) not in (np.dtype(np.float64), np.dtype(np.float32)):
-        raise TypeError(f"{name}: dtype is float64 or float32, not {np.dtype(dtype)}")
-    kind = dtypes[name if np.dtype(dtype) == np.float64 else f"{name}_f32"]
-    values = {member: numbers(value, f"{name}.{member}") for member, value in members.items()}
-    made = np.zeros(broadcast(**{f"{name}.{member}": value for member, value in values.items()}), kind)
-    for member, value in values.items():
+        raise TypeError(f"{what}: dtype is float64 or float32, not {np.dtype(dtype)}")
+    return np.dtype(dtype) == np.float32
+
+
+def make(kind: type[V], dtype: DTypeLike, shared: Mapping[str, Any] = MappingProxyType({}), **members: Any) -> Any:
+    """A value from numbers, or a batch from arrays that broadcast; `shared` members are those of every value."""
+    if dtype is np.float64 and all(isinstance(value, (float, int)) for value in members.values()):
+        return kind(**shared, **members)
+    single = precision(dtype, kind._structure)
+    arrays = {f"{kind._structure}.{name}": numbers(value, f"{kind._structure}.{name}") for name, value in members.items()}
+    shape = broadcast(**arrays)
+    if shape == () and not single:
+        return kind(**shared, **{name: array.item() for name, array in zip(members, arrays.values())})
+    data = np.zeros(shape, dtype_of(kind._structure, single))
+    for name, value in (*shared.items(), *zip(members, arrays.values())):
         with np.errstate(over="ignore"):
-            made[member] = value
-    return as_record(made)
+            data[name] = value
+    return Batch(kind, data)
 
 
-def array_of(value: Any) -> Plain:
-    """An array of whatever it is; of objects where numpy makes nothing of it."""
-    try:
-        return np.asarray(value)
-    except ValueError:
-        return np.asarray(None)
+def is_single(*arguments: Any) -> bool:
+    """Whether all arguments with a precision have single precision; a value has the precision of the arguments beside it."""
+    singles = [a.data.dtype == dtype_of(a.kind._structure, True) if isinstance(a, Batch) else a.single
+               for a in arguments if a is not None and not isinstance(a, Value) and hasattr(a, "single" if not isinstance(a, Batch) else "data")]
+    return bool(singles) and all(singles)
 
 
-_singles = [dtype for name, dtype in dtypes.items() if name.endswith("_f32")]
-
-
-def is_single(*values: Any) -> bool:
-    """Whether all records have the structure of single precision."""
-    return all(array_of(value).dtype in _singles for value in values if value is not None)
-
-
-def is_patch(area: Any) -> bool:
-    return array_of(area).dtype in (dtypes["patch"], dtypes["patch_f32"])
-
-
-def _seen(value: Any) -> str:
+def _described(value: Any) -> str:
     """What an argument is, for messages."""
-    dtype = array_of(value).dtype
-    for name, kind in dtypes.items():
-        if kind == dtype:
-            return f"kstrip.{name.removesuffix('_f32')}()"
-    if dtype.names is not None:
-        return f"a record of {', '.join(dtype.names)}"
-    return f"an array of {dtype}" if isinstance(value, np.ndarray) else f"a {type(value).__name__}"
+    if isinstance(value, Batch):
+        return f"a Batch of {value.kind.__name__}"
+    if isinstance(value, np.ndarray):
+        return f"an array of {value.dtype}"
+    name = type(value).__name__
+    return f"{'an' if name[0] in 'AEIOUaeiou' else 'a'} {name}"
 
 
-def _maker(name: str, members: str) -> str:
-    """Where records of a structure come from, for messages."""
-    makers = {"combined_material": "combine()", "patch": "patch_from_profile(), patch_from_strips() or patch_from_contact()",
-              "prepared": "prepare()", "surface": "prepare_profile()"}
-    return f"kstrip.{makers.get(name, f'{name}({members})')}"
+#: Functions that make a value, where their name is not that of the structure
+_MAKERS = {"combined_material": "combine(lower, upper)", "patch": "patch_from_profile(), patch_from_strips() or patch_from_contact()",
+           "result": "solve()", "wheel_contact": "wheel_on_rail(...).contacts"}
 
 
-def records(name: str, value: Any, single: bool) -> NDArray[np.void]:
-    """Records of this structure and precision; a copy if anything about them differs."""
-    kind, given = dtypes[name + "_f32" * single], array_of(value)
-    if given.dtype == kind:
-        return np.require(given, requirements=["C", "A"])
-    names = kind.names or ()
-    members, seen = ", ".join(names), _seen(value)
-    if given.dtype.names is None or seen.startswith("kstrip.") and seen != f"kstrip.{name}()":
-        raise TypeError(f"{name}: make it with {_maker(name, members)}; this is {seen}")
-    for member in names:
-        if member not in given.dtype.names:
-            raise TypeError(f"{name}: the field {member} is missing; this is {seen}")
-    for member in given.dtype.names:
-        if member not in names:
-            raise TypeError(f"{name}: there is no field {member}; the fields are {members}")
-    made = np.zeros(given.shape, kind)
-    for member in names:
-        if kind[member].base.names:
-            made[member] = records("patch_strip", given[member], single)
-        else:
-            part = numbers(given[member], f"{name}.{member}")
-            if part.shape != made[member].shape:
-                raise TypeError(f"{name}.{member}: each has the shape {part.shape[given.ndim:]}, not {kind[member].shape}")
-            with np.errstate(over="ignore", invalid="ignore"):
-                made[member] = part
-    return made
+def wrong(argument: str, kind: type[Value], value: Any) -> TypeError:
+    """The error for an argument of another class."""
+    maker = _MAKERS.get(kind._structure, f"{kind._structure}({', '.join(kind.__match_args__)})")
+    return TypeError(f"{argument}: a {kind.__name__}, or a Batch of them, is needed: make it with kstrip.{maker}; this is {_described(value)}")
 
 
-def flat(value: Plain, shape: Shape) -> tuple[Plain, int]:
+def array_of(argument: str, kind: type[V], value: Any, single: bool) -> Plain:
+    """A value or a batch as a contiguous structured array."""
+    if type(value) is kind:
+        data: Plain = layout_of(kind).array(value)
+    elif type(value) is Batch and value.kind is kind:
+        data = value.data
+    else:
+        raise wrong(argument, kind, value)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.require(data.astype(dtype_of(kind._structure, single), copy=False), requirements=["C", "A"])
+
+
+def one(argument: str, kind: type[V], value: Any, single: bool) -> bytes:
+    """Exactly one value as bytes."""
+    if type(value) is kind and not single:
+        return layout_of(kind).pack(value)
+    data = array_of(argument, kind, value, single)
+    if data.size != 1:
+        raise ValueError(f"{argument}: one {kind.__name__} is needed, and this has the shape {data.shape}")
+    return data.tobytes()
+
+
+def flat(array: Plain, shape: Shape) -> tuple[Plain, int]:
     """The elements one after the other, and the distance of two in bytes: 0 if there is one for all."""
-    if value.size == 1 and value.shape != shape:
-        return value.reshape(-1), 0
-    return np.require(np.broadcast_to(value, shape), requirements=["C", "A"]).reshape(-1), value.dtype.itemsize
-
-
-def one(name: str, value: Any, single: bool, argument: str = "") -> NDArray[np.void]:
-    """Exactly one record."""
-    found = records(name, value, single)
-    if found.size != 1:
-        raise ValueError(f"{argument or name}: one is needed, and this has the shape {found.shape}")
-    return found.reshape(())
+    if array.size == 1 and array.shape != shape:
+        return array.reshape(-1), 0
+    return np.require(np.broadcast_to(array, shape), requirements=["C", "A"]).reshape(-1), array.dtype.itemsize
 
 
 def count_of(size: int) -> int:
@@ -141,9 +141,19 @@ def count_of(size: int) -> int:
     return size
 
 
-def options(model: Model, strips: int) -> Any:
+def choice(model: Model, strips: int) -> tuple[int, int]:
+    """The numbers of a model and of its strips."""
     if isinstance(model, str) and model not in models:
-        raise ValueError(f"unknown model {model!r}: one of {', '.join(models)}")
-    chosen = [models[model] if isinstance(model, str) else operator.index(model), operator.index(strips)]
-    # Numbers that 32 bits cannot hold are as unknown as -1
-    return structures["kstrip_options"](*(n if abs(n) < 1 << 31 else -1 for n in chosen))
+        raise ValueError(f"model: {model!r} is none of {', '.join(models)}")
+    try:
+        chosen = models[model] if isinstance(model, str) else operator.index(model), operator.index(strips)
+    except TypeError:
+        raise TypeError(f"model is a name or a number of kstrip.models, and strips a whole number, not {model!r} and {strips!r}") from None
+    # Numbers that 32 bits cannot hold are as unknown as -1.
+    first, second = (number if abs(number) < 1 << 31 else -1 for number in chosen)
+    return first, second
+
+
+def options(model: Model, strips: int) -> Optional[bytes]:
+    """Model and number of strips as the structure of the C library; None is the default."""
+    return None if model == "default" and strips == 0 else struct.pack("ii", *choice(model, strips))

@@ -1,75 +1,95 @@
-"""The C library: its headers, constants, structures and functions.
+"""The C library: its constants, the layout of its structures, its functions.
 
-The library is looked for at $KSTRIP_LIBRARY, next to this file, in target/lib of the repository, and where the system
-finds libraries; the headers at $KSTRIP_HEADER, next to this file, and in the repository.
+The library is looked for at $KSTRIP_LIBRARY, next to this file, in target/lib of the repository, and where the system finds libraries.
 """
 
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import os
-import pathlib
 import sys
-from typing import Any, Callable
+from typing import Any, Callable, Iterator
 
 import numpy as np
 
-from . import _header
+from ._table import CONSTANTS, FUNCTIONS, STRUCTURES
 
-_here = pathlib.Path(__file__).resolve().parent
-_repository = _here.parents[2]
+_here = os.path.dirname(os.path.abspath(__file__))
+#: Types of C: for ctypes, for numpy
+_SCALARS: dict[str, tuple[Any, str]] = {
+    "double": (ctypes.c_double, "f8"),
+    "float": (ctypes.c_float, "f4"),
+    "int32_t": (ctypes.c_int32, "i4"),
+    "uint32_t": (ctypes.c_uint32, "u4"),
+    "kstrip_status": (ctypes.c_int32, "i4"),
+    "ptrdiff_t": (ctypes.c_ssize_t, "p"),
+    "pointer": (ctypes.c_void_p, "P"),
+}
 
 
-def _read_headers() -> str:
-    places = [os.environ.get("KSTRIP_HEADER"), _here / "kstrip.h", _repository / "include" / "kstrip.h"]
-    for place in places:
-        if place and os.path.exists(place):
-            first = pathlib.Path(place)
-            return "".join(p.read_text(encoding="utf-8") for p in (first, first.with_name("kstrip_f32.h")))
-    raise ImportError("kstrip.h was not found: set KSTRIP_HEADER")
+def _places() -> Iterator[str]:
+    """Where the library may be, the likely places first."""
+    name = {"darwin": "libkstrip.dylib", "win32": "kstrip.dll"}.get(sys.platform, "libkstrip.so")
+    if "KSTRIP_LIBRARY" in os.environ:
+        yield os.environ["KSTRIP_LIBRARY"]
+    for place in (os.path.join(_here, name), os.path.join(_here, *[os.pardir] * 3, "target", "lib", name)):
+        if os.path.exists(place):
+            yield place
+    # A bare name is the linker's to find.
+    yield f"{name}.{CONSTANTS['KSTRIP_ABI_VERSION']}"
+    from ctypes.util import find_library
+
+    found = find_library("kstrip")
+    if found is not None:
+        yield found
 
 
 def _load() -> ctypes.CDLL:
-    name = {"darwin": "libkstrip.dylib", "win32": "kstrip.dll"}.get(sys.platform, "libkstrip.so")
-    places = [
-        os.environ.get("KSTRIP_LIBRARY"),
-        _here / name,
-        _repository / "target" / "lib" / name,
-        f"{name}.{constants['KSTRIP_ABI_VERSION']}",
-        ctypes.util.find_library("kstrip"),
-    ]
-    for place in places:
-        # A bare name is the linker's to find.
-        if place and (os.path.exists(place) or os.sep not in str(place)):
-            try:
-                return ctypes.CDLL(str(place))
-            except OSError:
-                continue
+    for place in _places():
+        try:
+            return ctypes.CDLL(place)
+        except OSError:
+            continue
     raise ImportError("libkstrip was not found: run `make` in the repository, `make install`, or set KSTRIP_LIBRARY")
 
 
-#: The text of both headers
-text = _read_headers()
-#: KSTRIP_NAME: value, of the header
-constants: dict[str, int] = _header.constants(text)
-#: The C structures by name, as ctypes
-structures: dict[str, type] = _header.structures(text)
-#: Their numpy types: `dtypes["contact"]`, `dtypes["contact_f32"]`
-dtypes: dict[str, np.dtype[Any]] = {name.removeprefix("kstrip_"): np.dtype(s) for name, s in structures.items()}
+def _declare(name: str, result: str, arguments: tuple[tuple[str, str], ...], real: str) -> None:
+    function = getattr(lib, name, None)
+    if function is None:
+        raise ImportError(f"libkstrip has no {name}, which kstrip.h declares: build the library again (`make`)")
+    function.restype = ctypes.c_char_p if result == "pointer" else _SCALARS[result][0]
+    function.argtypes = [_SCALARS[real if kind == "double" else kind][0] for kind, _ in arguments]
+    function.__doc__ = f"{name}({', '.join(argument for _, argument in arguments)}); kstrip.h describes it."
+
+
+def _types_of(real: str, suffix: str) -> dict[str, np.dtype[Any]]:
+    """The structures of one precision as numpy types."""
+    made: dict[str, np.dtype[Any]] = {}
+    for name, members in STRUCTURES.items():
+        fields = []
+        for member, kind, counts in members:
+            known = _SCALARS.get(real if kind == "double" else kind)
+            fields.append((member, made[kind.removeprefix("kstrip_")] if known is None else known[1], counts))
+        made[name] = np.dtype(fields, align=True)
+    return {name + suffix: kind for name, kind in made.items()}
+
+
+#: KSTRIP_NAME: value, of kstrip.h
+constants = CONSTANTS
+#: The C structures as numpy types: `dtypes["contact"]`, `dtypes["contact_f32"]`; pointers are addresses
+dtypes: dict[str, np.dtype[Any]] = {**_types_of("double", ""), **_types_of("float", "_f32")}
 #: The C library itself, unchecked; every function of the headers with its argument types: `lib.kstrip_solve`
 lib = _load()
-for _name, _result, _arguments, _doc in _header.functions(text, structures):
-    _function = getattr(lib, _name, None)
-    if _function is None:
-        raise ImportError(f"libkstrip has no {_name}, which the header declares: build the library again (`make`)")
-    _function.restype, _function.argtypes, _function.__doc__ = _result, _arguments, _doc
-if lib.kstrip_abi_version() != constants["KSTRIP_ABI_VERSION"]:
-    raise ImportError(f"libkstrip has ABI version {lib.kstrip_abi_version()}, not that of the header")
+if lib.kstrip_abi_version() != CONSTANTS["KSTRIP_ABI_VERSION"]:
+    raise ImportError(f"libkstrip has ABI version {lib.kstrip_abi_version()}, not that of this package")
+for _name, (_result, _arguments) in FUNCTIONS.items():
+    _declare(_name, _result, _arguments, "double")
+    if any(kind in ("double", "pointer") for kind, _ in _arguments) and _name != "kstrip_options_init":
+        _declare(f"{_name}_f32", _result, _arguments, "float")
 
 #: "total": 4, ... the numbers of the models
 models: dict[str, int] = {
-    k.removeprefix("KSTRIP_MODEL_").lower(): v for k, v in constants.items() if k.startswith("KSTRIP_MODEL_")
+    name.removeprefix("KSTRIP_MODEL_").lower(): value for name, value in CONSTANTS.items() if name.startswith("KSTRIP_MODEL_")
 }
 
 
@@ -77,3 +97,8 @@ def function_of(name: str, single: bool) -> Callable[..., int]:
     """A function of the library in one of its precisions."""
     function: Callable[..., int] = getattr(lib, name + "_f32" * single)
     return function
+
+
+def dtype_of(structure: str, single: bool) -> np.dtype[Any]:
+    """A structure of the library in one of its precisions."""
+    return dtypes[structure + "_f32" * single]

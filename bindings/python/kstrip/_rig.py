@@ -2,48 +2,84 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Iterable, Optional, SupportsFloat
+from itertools import repeat
+from typing import Any, Iterable, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._calls import call
-from ._inputs import Model, is_single, one, options
-from ._library import constants, dtypes, function_of
-from ._status import report
-from ._types import Contact, Creepage, Friction, FrictionEstimate, FrictionFit
+from ._batch import Batch, layout_of
+from ._calls import Elements, optional, zeros
+from ._inputs import Many, Model, array_of, count_of, is_single, numbers, one, options
+from ._library import constants, dtype_of, function_of
+from ._status import KstripError, report
+from .values import Contact, Creepage, Friction, FrictionEstimate, FrictionFit
 
-FX, FY = constants["KSTRIP_MEASURED_FX"], constants["KSTRIP_MEASURED_FY"]
+_FX, _FY = constants["KSTRIP_MEASURED_FX"], constants["KSTRIP_MEASURED_FY"]
 
 
-def estimate_friction(contact: Contact, creepage: Creepage, *, fx: Optional[SupportsFloat] = None, fy: Optional[SupportsFloat] = None,
-                      model: Model = "default", strips: int = 0, law: Optional[Friction] = None) -> FrictionEstimate:
+def estimate_friction(contact: Many[Contact], creepage: Many[Creepage], *, fx: Optional[ArrayLike] = None, fy: Optional[ArrayLike] = None,
+                      model: Model = "default", strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise") -> Any:
     """The friction that explains a measured force [N] on the lower body: friction, sensitivity, residual, status_detail.
 
-    Give fx, fy or both; the friction of the contact does not count, nor does that of a law.
+    Give fx, fy or both; the friction of the contact does not count, nor does that of a law. All arguments broadcast.
+    on_error: "raise" or "nan", as in solve().
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.0)
+    >>> kstrip.estimate_friction(contact, kstrip.creepage(3e-3), fx=[10e3, 15e3]).friction.round(3)
+    array([0.125, 0.192])
     """
-    single = is_single(contact, creepage)
-    under = None if law is None else one("friction", law, single)
-    made = np.zeros((), dtypes["friction_estimate" + "_f32" * single])
-    measured = (FX if fx is not None else 0) | (FY if fy is not None else 0)
-    call("kstrip_estimate_friction", single, one("contact", contact, single), one("creepage", creepage, single),
-         under, ctypes.byref(options(model, strips)), measured, float(0.0 if fx is None else fx), float(0.0 if fy is None else fy), made)
-    return made.view(FrictionEstimate)
+    elements = Elements(is_single(contact, creepage, law), on_error, contact=(Contact, contact), creepage=(Creepage, creepage),
+                        law=optional(Friction, law), fx=(float, 0.0 if fx is None else fx), fy=(float, 0.0 if fy is None else fy))
+    made, places = elements.out("friction_estimate")
+    measured = (_FX if fx is not None else 0) | (_FY if fy is not None else 0)
+    columns = elements.columns
+    found = elements.run("kstrip_estimate_friction", columns["contact"], columns["creepage"], columns["law"], repeat(options(model, strips)),
+                         repeat(measured), columns["fx"], columns["fy"], places)
+    statuses = elements.statuses(found, made)
+    return elements.report(elements.result(FrictionEstimate, made, statuses), statuses)
 
 
-def creepage_for_force(contact: Contact, fx: SupportsFloat, fy: SupportsFloat, spin: SupportsFloat = 0.0, model: Model = "default",
-                       strips: int = 0, law: Optional[Friction] = None) -> Creepage:
-    """The creepage at which a contact with a given spin [1/m] carries a requested force [N] on the lower body."""
-    single = is_single(contact)
-    made = np.zeros((), dtypes["creepage" + "_f32" * single])
-    under = None if law is None else one("friction", law, single)
-    call("kstrip_creepage_for_force", single, one("contact", contact, single), float(fx), float(fy), float(spin),
-         under, ctypes.byref(options(model, strips)), made)
-    return made.view(Creepage)
+def creepage_for_force(contact: Many[Contact], fx: ArrayLike, fy: ArrayLike, spin: ArrayLike = 0.0, model: Model = "default",
+                       strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise") -> Any:
+    """The creepage at which a contact with a given spin [1/m] carries a requested force [N] on the lower body; all arguments broadcast.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> print(f"{kstrip.creepage_for_force(contact, 12e3, 0.0).longitudinal:.5f}")
+    0.00145
+    """
+    elements = Elements(is_single(contact, law), on_error, contact=(Contact, contact), fx=(float, fx), fy=(float, fy), spin=(float, spin),
+                        law=optional(Friction, law))
+    made, places = elements.out("creepage")
+    found = elements.run("kstrip_creepage_for_force", *elements.columns.values(), repeat(options(model, strips)), places)
+    statuses = elements.statuses(found, made)
+    return elements.report(elements.result(Creepage, made, statuses), statuses)
 
 
-def fit_friction(creepage: ArrayLike, force: ArrayLike, contact: Contact, *, start: Optional[Friction] = None,
+def _measured_forces(creepage: Any, force: ArrayLike, weight: ArrayLike, single: bool) -> np.ndarray[Any, Any]:
+    """Measured points as the C library takes them."""
+    forces = numbers(force, "force").astype(float)
+    if forces.ndim == 0 or forces.ndim > 2:
+        raise ValueError(f"force: n numbers, or n rows of two, are needed, and this has the shape {forces.shape}")
+    columns = forces[:, None] if forces.ndim == 1 else forces
+    if columns.shape[1] > 2:
+        raise ValueError(f"force: rows of a longitudinal and a lateral force are needed, and this has the shape {forces.shape}")
+    points = np.zeros(len(forces), dtype_of("measured_force", single))
+    if isinstance(creepage, (Batch, Creepage)):
+        given = array_of("creepage", Creepage, creepage, single)
+        for member in ("longitudinal", "lateral", "spin"):
+            points[member] = given[member]
+    else:
+        points["longitudinal"] = numbers(creepage, "creepage")
+    for k, (name, bit) in enumerate((("fx", _FX), ("fy", _FY))[: columns.shape[1]]):
+        known = ~np.isnan(columns[:, k])
+        points[name] = np.where(known, columns[:, k], 0.0)
+        points["measured"] |= np.where(known, bit, 0).astype(np.uint32)
+    points["weight"] = numbers(weight, "weight")
+    return points
+
+
+def fit_friction(creepage: Union[ArrayLike, Batch[Creepage]], force: ArrayLike, contact: Many[Contact], *, start: Optional[Many[Friction]] = None,
                  fit: Iterable[str] = ("friction", "slope_factor"), weight: ArrayLike = 1.0, model: Model = "default",
                  strips: int = 0) -> FrictionFit:
     """The law of friction that comes nearest to a measured creep curve: law, standard_errors, residual [N], steps, status_detail.
@@ -54,31 +90,26 @@ def fit_friction(creepage: ArrayLike, force: ArrayLike, contact: Contact, *, sta
     fit: members of the law to be found: friction, ratio, decay, slope_factor, slide_factor, layer.
     weight: weight of the squared error of each point.
     Raises KstripError for bad input, with the index of the first bad point.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> creepages = kstrip.creepage(np.linspace(1e-3, 0.02, 20))
+    >>> forces = kstrip.solve(contact, creepages, kstrip.friction(0.25, slope_factor=0.5)).fx
+    >>> found = kstrip.fit_friction(creepages, forces, contact)
+    >>> print(f"{found.law.friction:.3f} {found.law.slope_factor:.3f}")
+    0.250 0.500
     """
     single = is_single(contact)
-    motion = np.asarray(creepage)
-    forces = np.asarray(force, float)
-    count = len(forces)
-    points = np.zeros(count, dtypes["measured_force" + "_f32" * single])
-    if motion.dtype.names:
-        for name in ("longitudinal", "lateral", "spin"):
-            points[name] = motion[name]
-    else:
-        points["longitudinal"] = motion
-    columns = forces[:, None] if forces.ndim == 1 else forces
-    for k, (name, bit) in enumerate((("fx", FX), ("fy", FY))[:columns.shape[1]]):
-        known = ~np.isnan(columns[:, k])
-        points[name] = np.where(known, columns[:, k], 0.0)
-        points["measured"] |= np.where(known, bit, 0).astype(np.uint32)
-    points["weight"] = weight
-    law = np.zeros((), dtypes["friction" + "_f32" * single]) if start is None else one("friction", start, single)
-    if start is None:
-        law["ratio"] = 1.0
-    made = np.zeros((), dtypes["friction_fit" + "_f32" * single])
+    points = _measured_forces(creepage, force, weight, single)
+    unknown = set(fit) - set(Friction.__match_args__[:3] + Friction.__match_args__[4:])
+    if unknown:
+        raise ValueError(f"fit: {', '.join(sorted(unknown))} is none of friction, ratio, decay, slope_factor, slide_factor, layer")
+    law = one("start", Friction, Friction(0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0) if start is None else start, single)
+    made, bad = zeros("friction_fit", single), np.array(len(points), np.uint32)
     which = sum(constants["KSTRIP_FIT_" + name.upper()] for name in set(fit))
-    bad = np.array(count, np.uint32)
     status = function_of("kstrip_fit_friction", single)(
-        *(a.ctypes.data for a in (one("contact", contact, single), points)), count, law.ctypes.data, which,
-        ctypes.byref(options(model, strips)), made.ctypes.data, bad.ctypes.data)
-    report(status, (int(bad),) if status < 0 and bad < count else None)
-    return made.view(FrictionFit)
+        one("contact", Contact, contact, single), points.ctypes.data, count_of(len(points)), law, which, options(model, strips),
+        made.ctypes.data, bad.ctypes.data)
+    if status < 0 and bad < len(points):
+        raise KstripError(status, (int(bad),))
+    report(status)
+    return layout_of(FrictionFit).value(made)

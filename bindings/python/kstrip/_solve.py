@@ -2,238 +2,352 @@
 
 from __future__ import annotations
 
-import ctypes
-from typing import Any, NamedTuple, Optional, Union
+import dataclasses
+import struct
+import threading
+from dataclasses import dataclass
+from itertools import repeat
+from typing import Any, Optional, Union, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ._calls import call, each, index_of, out, real, size_of
-from ._inputs import Model, Plain, Shape, broadcast, count_of, flat, floats, is_patch, is_single, one, options, records
-from ._library import constants, dtypes, function_of, structures
-from ._record import as_record
-from ._status import report
-from ._types import Contact, Creepage, Derivatives, Friction, LawDerivatives, Motion, MotionDerivatives, Patch, Point, Result, Strip
+from ._batch import Batch, layout_of
+from ._calls import Elements, address, call, optional, zeros
+from ._inputs import Many, Model, Plain, array_of, count_of, floats, is_single, one, options, wrong
+from ._library import constants, dtype_of, dtypes, lib
+from ._group import Group
+from ._status import KstripError, report
+from ._value import Value
+from .values import Contact, Creepage, Derivatives, Friction, LawDerivatives, Motion, MotionDerivatives, Patch, Point, Result, Strip
 
-
-class Evaluation(NamedTuple):
-    """What evaluate() returns. Each member has the shape to which the inputs broadcast; None where it was not asked for."""
-
-    #: fx, fy [N], mz [N m], power [N], adhesion, status_detail
-    result: Result
-    #: the coefficient of friction that agrees with the slip; of a patch the factor that its strips have in common
-    friction: NDArray[np.float64]
-    #: jacobian, normal_force, load_through_hertz, friction
-    derivatives: Optional[Derivatives]
-    #: ratio, decay, rolling_speed, slope_factor
-    law_derivatives: Optional[LawDerivatives]
+#: kstrip_outputs: addresses of result, derivatives, law_derivatives, friction, strips, count; capacity
+_OUTPUTS = struct.Struct("6PII")
+#: kstrip_motion_outputs: addresses of result, derivatives, friction
+_MOTION_OUTPUTS = struct.Struct("3P")
 
 
-class MotionEvaluation(NamedTuple):
-    """What solve_motion() returns. Each member has the shape to which the inputs broadcast."""
+@dataclass(slots=True, repr=False, eq=False)
+class Evaluation(Group):
+    """What evaluate() returns. Each member has the shape to which the inputs broadcast; None if it was not requested.
 
-    #: fx, fy [N], mz [N m], power [W], adhesion, status_detail
-    result: Result
-    #: the coefficient of friction that agrees with the slip
-    friction: NDArray[np.float64]
-    #: slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, ...; None where they were not asked for
-    derivatives: Optional[MotionDerivatives]
+    result: fx, fy [N], mz [N m], power [N], adhesion, status_detail.
+    friction: the coefficient of friction that agrees with the slip; of a patch the factor that its strips have in common.
+    derivatives: jacobian, normal_force, load_through_hertz, friction.
+    law_derivatives: ratio, decay, rolling_speed, slope_factor, slide_factor, layer.
+    statuses: the status of each element.
+    """
 
-
-def _batch(contacts: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...]) -> dict[str, Plain]:
-    """kstrip_evaluate_batch(): one call for all elements."""
-    single = is_single(contacts, creepages, law)
-    suffix = "_f32" * single
-    ellipses, motions = records("contact", contacts, single), records("creepage", creepages, single)
-    laws = None if law is None else records("friction", law, single)
-    shape = broadcast(contacts=ellipses, creepages=motions, friction=laws)
-    count = count_of(size_of(shape))
-    inputs = structures["kstrip_batch_inputs" + suffix]()
-    kept = [flat(ellipses, shape), flat(motions, shape)]
-    for array, distance in kept:
-        members: Any = array.dtype.fields
-        for member in members:
-            setattr(inputs, member, array.ctypes.data + members[member][1])
-            setattr(inputs, f"{member}_stride", distance)
-    if laws is not None:
-        kept.append(flat(laws, shape))
-        setattr(inputs, "law", kept[2][0].ctypes.data)
-        setattr(inputs, "law_stride", kept[2][1])
-    made: dict[str, Plain] = {"result": np.zeros(count, dtypes["result" + suffix])}
-    if "friction" in wanted:
-        made["friction"] = real(shape, single)[0]
-    for name in ("derivatives", "law_derivatives"):
-        if name in wanted:
-            made[name] = np.zeros(count, dtypes[name + suffix])
-    outputs = structures["kstrip_batch_outputs" + suffix]()
-    fields: Any = made["result"].dtype.fields
-    places = {member: (made["result"], fields[member][1]) for member in fields if member != "reserved"}
-    places |= {name: (array, 0) for name, array in made.items() if name != "result"}
-    for member, (array, offset) in places.items():
-        setattr(outputs, member, array.ctypes.data + offset)
-        setattr(outputs, f"{member}_stride", array.dtype.itemsize)
-    bad = ctypes.c_uint32()
-    status = function_of("kstrip_evaluate_batch", single)(
-        ctypes.byref(inputs), count, ctypes.byref(options(model, strips)), ctypes.byref(outputs), ctypes.byref(bad))
-    first = bad.value if status < 0 else int(np.argmax(made["result"]["status_detail"] == status)) if status else 0
-    report(status, index_of(first, shape) if status and first < count else None)
-    return {name: as_record(array.reshape(shape)) for name, array in made.items()}
+    result: Many[Result]
+    friction: Any
+    derivatives: Optional[Many[Derivatives]]
+    law_derivatives: Optional[Many[LawDerivatives]]
+    statuses: Any
 
 
-def _outputs(kind: str, made: dict[str, tuple[Plain, int]], shape: Shape, suffix: str) -> tuple[Plain, int]:
-    """A structure of pointers for each element."""
-    outputs = np.zeros(size_of(shape), dtypes[kind + suffix])
-    for name, (array, distance) in made.items():
-        outputs[name] = array.ctypes.data + distance * np.arange(outputs.size)
-    return outputs, outputs.dtype.itemsize
+@dataclass(slots=True, repr=False, eq=False)
+class MotionEvaluation(Group):
+    """What solve_motion() returns. Each member has the shape to which the inputs broadcast.
+
+    result: fx, fy [N], mz [N m], power [W], adhesion, status_detail.
+    friction: the coefficient of friction that agrees with the slip.
+    derivatives: slip, rolling_speed, normal_force, load_through_hertz, friction, ratio, ...; None if they were not requested.
+    statuses: the status of each element.
+    """
+
+    result: Many[Result]
+    friction: Any
+    derivatives: Optional[Many[MotionDerivatives]]
+    statuses: Any
 
 
-def _only_of_patch(own: Any, area: Any) -> None:
-    if own is not None and not is_patch(area):
-        raise ValueError("own is for one patch; these are contacts")
+class _Memory(threading.local):
+    """Memory of each thread for the results of one contact, and the structures that point to it."""
+
+    def __init__(self) -> None:
+        self.result, self.friction = bytearray(dtypes["result"].itemsize), bytearray(8)
+        self.derivatives, self.laws = bytearray(dtypes["derivatives"].itemsize), bytearray(dtypes["law_derivatives"].itemsize)
+        self.place = address(self.result)
+        places = self.place, address(self.derivatives), address(self.laws), address(self.friction)
+        #: by whether derivatives, and those of the law, are requested
+        self.outputs = {(d, law): _OUTPUTS.pack(places[0], d * places[1], law * places[2], places[3], 0, 0, 0, 0)
+                        for d in (False, True) for law in (False, True)}
 
 
-def _own(own: Any, patch: Plain, single: bool) -> Optional[Plain]:
-    """The creepages of a patch's strips, one for each."""
-    if own is None:
-        return None
-    made, count = np.ascontiguousarray(records("creepage", own, single)), int(patch.reshape(-1)["count"][0])
-    if made.shape != (count,):
-        raise ValueError(f"own: shape {made.shape}, and the patch has {count} strips")
-    return made
+_memory = _Memory()
+_contact, _creepage, _friction, _result = layout_of(Contact), layout_of(Creepage), layout_of(Friction), layout_of(Result)
 
 
-def _of_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...],
-              own: Any = None) -> dict[str, Plain]:
-    """kstrip_patch_evaluate_strips() for each creepage."""
-    single = is_single(area, creepages, law)
-    patch, motions = one("patch", area, single), records("creepage", creepages, single)
-    laws = None if law is None else records("friction", law, single)
-    shape = broadcast(creepages=motions, friction=laws)
-    made: dict[str, tuple[Plain, int]] = {"result": out("result", shape, single)}
-    if "friction" in wanted:
-        made["friction"] = real(shape, single)
-    for name in ("derivatives", "law_derivatives"):
-        if name in wanted:
-            made[name] = out(name, shape, single)
-    outputs = _outputs("outputs", made, shape, "_f32" * single)
-    besides = _own(own, patch, single)
-    each("kstrip_patch_evaluate_strips", single, shape, patch.ctypes.data, flat(motions, shape), None if besides is None else besides.ctypes.data,
-         None if laws is None else flat(laws, shape), ctypes.byref(options(model, strips)), outputs)
-    return {name: as_record(array.reshape(shape)) for name, (array, _) in made.items()}
+@overload
+def solve(  # type: ignore[overload-overlap]  # pyright: ignore[reportOverlappingOverload]
+        contacts: Union[Contact, Patch], creepages: Creepage, friction: Optional[Friction] = None, model: Model = "default",
+        strips: int = 0, on_error: str = "raise") -> Result: ...
+@overload
+def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
+          model: Model = "default", strips: int = 0, on_error: str = "raise") -> Batch[Result]: ...
+def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
+          model: Model = "default", strips: int = 0, on_error: str = "raise") -> Any:
+    """Forces on the lower body of contacts, or of one patch, in motion.
 
-
-def solve(contacts: Union[Contact, Patch], creepages: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-          strips: int = 0) -> Result:
-    """Forces on the lower body: fx, fy [N], mz [N m], power [N], adhesion, status_detail.
-
-    contacts: contact(), or one patch of any shape. creepages: creepage(). Both broadcast, and friction with them.
-    friction: a law of friction() that falls with the slip; None: constant.
-    model: a name of kstrip.models; "default" is "total", and "strip" for patches. strips: 4, 8, 16, 32 or 64; 0: 16.
-    Raises KstripError for bad input, with the index of the first one; warns by KstripWarning.
+    contacts, creepages: of contact() and creepage(); they broadcast. One contact with one creepage has one result, arrays have a batch.
+    friction: a law of friction() that falls with the slip, or many of them.
+    model: "default", "total", "strip", "strip_1967", "strip_1967_continuous", "linear". strips: 4, 8, 16, 32 or 64; 0: 16.
+    on_error: of arrays: "raise" raises KstripError, which has the results of the other elements; "nan" returns NaN for a bad element, and
+        its status in `statuses`.
+    Warns by KstripWarning.
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
     >>> print(kstrip.solve(contact, kstrip.creepage([1e-3, 2e-3])).fx.round(-3))
     [ 9000. 15000.]
     """
-    solved = (_of_patch if is_patch(contacts) else _batch)(contacts, creepages, friction, model, strips, ())
-    return solved["result"].view(Result)
+    if type(contacts) is Contact and type(creepages) is Creepage and friction is None and on_error == "raise":
+        place = _memory.place
+        status = lib.kstrip_solve(_contact.pack(contacts), _creepage.pack(creepages), options(model, strips), place)
+        result = _result.of_bytes(_memory.result)
+        if status:
+            report(status)
+        return result
+    try:
+        return evaluate(contacts, creepages, friction, model, strips, derivatives=False, on_error=on_error).result
+    except KstripError as error:
+        error.results = getattr(error.results, "result", None)
+        raise
 
 
-def evaluate(contacts: Union[Contact, Patch], creepages: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-             strips: int = 0, *, derivatives: bool = True, law_derivatives: bool = False, own: Optional[Creepage] = None) -> Evaluation:
+def evaluate(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
+             model: Model = "default", strips: int = 0, *, derivatives: bool = True, law_derivatives: bool = False,
+             own: Optional[Batch[Creepage]] = None, on_error: str = "raise") -> Evaluation:
     """Forces, the friction that agrees with the slip, and derivatives; of contacts or of one patch.
 
-    Arguments as in solve(). The derivatives have the shape of the results; `derivatives.jacobian` has (3, 3) behind it, the
-    derivatives of fx, fy, mz with respect to longitudinal, lateral, spin.
-    own: of one patch, a creepage for each of its strips, shape (number of strips,): that which the strip has at its centre
-    besides those of the patch, as on curved surfaces.
+    Arguments as in solve(). The derivatives have the shape of the results; `derivatives.jacobian` has (3, 3) behind it, the derivatives of
+    fx, fy, mz with respect to longitudinal, lateral, spin.
+    own: of one patch, a creepage for each of its strips, shape (number of strips,): the one that the strip has at its centre besides those
+    of the patch, as on curved surfaces.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> found = kstrip.evaluate(contact, kstrip.creepage(1e-3), kstrip.friction(0.3, 0.4, 0.6, rolling_speed=20.0))
+    >>> print(f"fx {found.result.fx:.0f} N, friction {found.friction:.4f}, dfx/dlongitudinal {found.derivatives.jacobian[0, 0]:.2e} N")
+    fx 8815 N, friction 0.2992, dfx/dlongitudinal 7.62e+06 N
     """
-    _only_of_patch(own, contacts)
-    wanted = ("friction",) + ("derivatives",) * bool(derivatives) + ("law_derivatives",) * bool(law_derivatives)
-    arguments = (contacts, creepages, friction, model, strips, wanted)
-    made: dict[str, Any] = dict(_of_patch(*arguments, own) if is_patch(contacts) else _batch(*arguments))
-    return Evaluation(made["result"], made["friction"], made.get("derivatives"), made.get("law_derivatives"))
+    if type(contacts) is Contact and type(creepages) is Creepage and (friction is None or type(friction) is Friction) and own is None and on_error == "raise":
+        return _evaluate_one(contacts, creepages, friction, options(model, strips), bool(derivatives), bool(law_derivatives))
+    wanted = ("result", *["derivatives"] * bool(derivatives), *["law_derivatives"] * bool(law_derivatives))
+    if is_patch(contacts):
+        return _evaluate_patch(contacts, creepages, friction, model, strips, wanted, own, on_error)
+    if own is not None:
+        raise ValueError("own is for one patch")
+    return _evaluate_batch(contacts, creepages, friction, model, strips, wanted, on_error)
 
 
-def solve_motion(contacts: Contact, motions: Motion, friction: Optional[Friction] = None, model: Model = "default",
-                 strips: int = 0, *, derivatives: bool = True) -> MotionEvaluation:
-    """Forces of contacts that roll forward, backward or not at all, with derivatives; contacts, motions and friction broadcast."""
-    single = is_single(contacts, motions, friction)
-    ellipses, moving = records("contact", contacts, single), records("motion", motions, single)
-    laws = None if friction is None else records("friction", friction, single)
-    shape = broadcast(contacts=ellipses, motions=moving, friction=laws)
-    made: dict[str, tuple[Plain, int]] = {"result": out("result", shape, single), "friction": real(shape, single)}
-    if derivatives:
-        made["derivatives"] = out("motion_derivatives", shape, single)
-    outputs = _outputs("motion_outputs", made, shape, "_f32" * single)
-    each("kstrip_solve_motion", single, shape, flat(ellipses, shape), flat(moving, shape),
-         None if laws is None else flat(laws, shape), ctypes.byref(options(model, strips)), outputs)
-    answers: dict[str, Any] = {name: as_record(array.reshape(shape)) for name, (array, _) in made.items()}
-    return MotionEvaluation(answers["result"], answers["friction"], answers.get("derivatives"))
+def _evaluate_one(contact: Contact, creepage: Creepage, law: Optional[Friction], chosen: Optional[bytes], derivatives: bool, laws: bool) -> Evaluation:
+    """One contact: the results stand in memory of the thread."""
+    memory = _memory
+    status = lib.kstrip_evaluate(_contact.pack(contact), _creepage.pack(creepage), None if law is None else _friction.pack(law), chosen,
+                                 memory.outputs[derivatives, laws])
+    made = Evaluation(_result.of_bytes(memory.result), struct.unpack("d", memory.friction)[0],
+                      layout_of(Derivatives).of_bytes(memory.derivatives) if derivatives else None,
+                      layout_of(LawDerivatives).of_bytes(memory.laws) if laws else None, status)
+    if status:
+        report(status)
+    return made
 
 
-class Prepared:
-    """A contact of which everything that does not depend on the motion has been computed: kstrip_prepare()."""
+def is_patch(area: Any) -> bool:
+    return type(area) is Patch or type(area) is Batch and area.kind is Patch
 
-    def __init__(self, contact: Contact, model: Model = "default", strips: int = 0):
-        self._single = is_single(contact)
-        only = one("contact", contact, self._single)
-        self._numbers = np.zeros((), dtypes["prepared" + "_f32" * self._single])
-        call("kstrip_prepare", self._single, only, ctypes.byref(options(model, strips)), self._numbers)
 
-    def solve(self, creepages: Creepage) -> Result:
+def _own(own: Any, patch: bytes, single: bool) -> Optional[bytes]:
+    """The creepages of each strip."""
+    if own is None:
+        return None
+    given, count = array_of("own", Creepage, own, single), int(np.frombuffer(patch, dtype_of("patch", single))["count"][0])
+    if given.shape != (count,):
+        raise ValueError(f"own: shape {given.shape}, and the patch has {count} strips")
+    return given.tobytes()
+
+
+def _evaluate_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], own: Any, on_error: str) -> Evaluation:
+    """One patch: a call for each creepage."""
+    single = is_single(area, creepages, law, own)
+    patch = one("contacts", Patch, area, single)
+    elements = Elements(single, on_error, creepages=(Creepage, creepages), friction=optional(Friction, law))
+    made = {name: elements.out(name) for name in wanted}
+    shared, third = elements.real()
+    places = [made[name][1] if name in made else repeat(0) for name in ("result", "derivatives", "law_derivatives")]
+    outputs = map(_OUTPUTS.pack, *places, third, *[repeat(0)] * 4)
+    found = elements.run("kstrip_patch_evaluate_strips", repeat(patch), elements.columns["creepages"], repeat(_own(own, patch, single)),
+                         elements.columns["friction"], repeat(options(model, strips)), outputs)
+    arrays = {name: array for name, (array, _) in made.items()}
+    statuses = elements.statuses(found, *arrays.values(), shared)
+    return elements.report(_evaluation(elements, arrays, shared, statuses), statuses)
+
+
+def _evaluation(elements: Elements, arrays: dict[str, Any], friction: Plain, statuses: Any) -> Evaluation:
+    kinds: dict[str, type[Value]] = {"result": Result, "derivatives": Derivatives, "law_derivatives": LawDerivatives}
+    parts = {name: elements.result(kinds[name], array, statuses) for name, array in arrays.items()}
+    return Evaluation(parts["result"], elements.numbers(friction), parts.get("derivatives"), parts.get("law_derivatives"), statuses)
+
+
+def _evaluate_batch(contacts: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], on_error: str) -> Evaluation:
+    """Many contacts: one call of kstrip_evaluate_batch(), and more of them only where an element is bad."""
+    elements = Elements(is_single(contacts, creepages, law), on_error, contacts=(Contact, contacts), creepages=(Creepage, creepages),
+                        friction=optional(Friction, law))
+    inputs = [word for name in ("contacts", "creepages") for word in _members(*elements.array(name))]
+    inputs += [(0, 0)] if law is None else [(elements.array("friction")[0].ctypes.data, elements.array("friction")[1])]
+    arrays = {name: elements.out(name)[0] for name in wanted}
+    friction, _ = elements.real()
+    outputs = _members(arrays["result"].reshape(-1), arrays["result"].itemsize)
+    outputs += [(array.ctypes.data, array.itemsize) if array is not None else (0, 0)
+                for array in (friction, arrays.get("derivatives"), arrays.get("law_derivatives"))]
+    found = np.zeros(count_of(elements.count), np.int32)
+    _solve_all(elements.single, np.array(inputs, np.intp), np.array(outputs, np.intp), options(model, strips), found)
+    found = np.where(found < 0, found, arrays["result"]["status_detail"].reshape(-1))
+    statuses = elements.statuses(found, *arrays.values(), friction)
+    return elements.report(_evaluation(elements, arrays, friction, statuses), statuses)
+
+
+def _members(array: Plain, distance: int) -> list[tuple[int, int]]:
+    """Address and distance of each member of structures."""
+    first, fields = array.ctypes.data, dict(array.dtype.fields or {})
+    return [(first + field[1], distance) for name, field in fields.items() if name != "reserved"]
+
+
+def _solve_all(single: bool, inputs: Plain, outputs: Plain, chosen: Optional[bytes], found: Plain, begin: int = 0, end: Optional[int] = None) -> None:
+    """Solves all elements but the bad ones, whose statuses it writes: the library solves none if one is bad."""
+    function, bad = (lib.kstrip_evaluate_batch_f32 if single else lib.kstrip_evaluate_batch), np.zeros((), np.uint32)
+    end = found.size if end is None else end
+    while True:
+        moved = inputs.copy(), outputs.copy()
+        for words in moved:
+            words[:, 0] += begin * words[:, 1]
+        status = function(moved[0].ctypes.data, end - begin, chosen, moved[1].ctypes.data, bad.ctypes.data)
+        if status >= 0:
+            return
+        if int(bad) >= end - begin:
+            raise KstripError(status)
+        first = begin + int(bad)
+        if first > begin:
+            _solve_all(single, inputs, outputs, chosen, found, begin, first)
+        found[first], begin = status, first + 1
+
+
+def solve_motion(contacts: Many[Contact], motions: Many[Motion], friction: Optional[Many[Friction]] = None, model: Model = "default",
+                 strips: int = 0, *, derivatives: bool = True, on_error: str = "raise") -> MotionEvaluation:
+    """Forces of contacts that roll forward, backward or not at all, with derivatives; contacts, motions and friction broadcast.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> found = kstrip.solve_motion(contact, kstrip.motion(slip_x=1e-3, rolling_speed=[-10.0, 0.0, 10.0]))
+    >>> found.result.fx.round()
+    array([  994., 24000.,   994.])
+    """
+    elements = Elements(is_single(contacts, motions, friction), on_error, contacts=(Contact, contacts), motions=(Motion, motions),
+                        friction=optional(Friction, friction))
+    (results, first), (shared, third) = elements.out("result"), elements.real()
+    slopes, second = elements.out("motion_derivatives") if derivatives else (None, repeat(0))
+    found = elements.run("kstrip_solve_motion", *elements.columns.values(), repeat(options(model, strips)),
+                         map(_MOTION_OUTPUTS.pack, first, second, third))
+    statuses = elements.statuses(found, results, slopes, shared)
+    made = MotionEvaluation(elements.result(Result, results, statuses), elements.numbers(shared),
+                            None if slopes is None else elements.result(MotionDerivatives, slopes, statuses), statuses)
+    return elements.report(made, statuses)
+
+
+@dataclass(slots=True, repr=False, eq=False, init=False)
+class Prepared(Group):
+    """A contact for which everything that does not depend on the motion has been computed: kstrip.prepare().
+
+    contact, model, strips: of what it was made.
+    """
+
+    contact: Many[Contact]
+    model: Model
+    strips: int
+    _numbers: bytes = dataclasses.field(init=False)
+
+    def __init__(self, contact: Many[Contact], model: Model = "default", strips: int = 0):
+        self.contact, self.model, self.strips = contact, model, strips
+        made = zeros("prepared", is_single(contact))
+        call("kstrip_prepare", is_single(contact), one("contact", Contact, contact, is_single(contact)), options(model, strips), made)
+        self._numbers = made.tobytes()
+
+    def solve(self, creepages: Many[Creepage], on_error: str = "raise") -> Any:
         """The results of kstrip.solve(), bit for bit."""
-        motions = records("creepage", creepages, self._single)
-        made = out("result", motions.shape, self._single)
-        each("kstrip_solve_prepared", self._single, motions.shape, self._numbers.ctypes.data, flat(motions, motions.shape), made)
-        return made[0].reshape(motions.shape).view(Result)
+        elements = Elements(is_single(self.contact), on_error, creepages=(Creepage, creepages))
+        results, places = elements.out("result")
+        found = elements.run("kstrip_solve_prepared", repeat(self._numbers), elements.columns["creepages"], places)
+        statuses = elements.statuses(found, results)
+        return elements.report(elements.result(Result, results, statuses), statuses)
 
 
-def prepare(contact: Contact, model: Model = "default", strips: int = 0) -> Prepared:
-    """One contact, for rigs in which it is constant and for iterations on the creepage: `prepare(contact).solve(creepages)`."""
+def prepare(contact: Many[Contact], model: Model = "default", strips: int = 0) -> Prepared:
+    """One contact, for rigs in which it is constant and for iterations on the creepage: `prepare(contact).solve(creepages)`.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> prepared = kstrip.prepare(contact)
+    >>> prepared.solve(kstrip.creepage(1e-3)) == kstrip.solve(contact, kstrip.creepage(1e-3))
+    True
+    """
     return Prepared(contact, model, strips)
 
 
 def strips(area: Union[Contact, Patch], creepage: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-           strips: int = 0, *, own: Optional[Creepage] = None) -> Strip:
-    """What each strip of one contact or one patch carries, shape (number of strips,). own: as in evaluate()."""
-    _only_of_patch(own, area)
-    kind, name = ("patch", "kstrip_patch_evaluate_strips") if is_patch(area) else ("contact", "kstrip_evaluate")
-    single = is_single(area, creepage, friction)
-    only, motion = one(kind, area, single), one("creepage", creepage, single)
-    law = None if friction is None else one("friction", friction, single)
+           strips: int = 0, *, own: Optional[Batch[Creepage]] = None) -> Batch[Strip]:
+    """The forces of each strip of one contact or one patch, shape (number of strips,). own: as in evaluate().
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> found = kstrip.strips(contact, kstrip.creepage(1e-3), strips=8)
+    >>> print(f"{len(found)} strips, {found.fx.sum():.0f} N")
+    8 strips, 8756 N
+    """
+    single, kind = is_single(area, creepage, friction), Patch if is_patch(area) else Contact
+    name = "kstrip_patch_evaluate_strips" if kind is Patch else "kstrip_evaluate"
+    body = one("area", kind, area, single)
     capacity, count = constants["KSTRIP_STRIPS_CAPACITY"], np.zeros((), np.uint32)
-    found = np.zeros(capacity, dtypes["strip" + "_f32" * single])
-    outputs = structures["kstrip_outputs" + "_f32" * single](
-        strips=found.ctypes.data, count=count.ctypes.data, capacity=capacity)
-    besides = (_own(own, only, single),) if is_patch(area) else ()
-    call(name, single, only, motion, *besides, law, ctypes.byref(options(model, strips)), ctypes.byref(outputs))
-    return found[: int(count)].view(Strip)
+    found = np.zeros(capacity, dtype_of("strip", single))
+    outputs = _OUTPUTS.pack(0, 0, 0, 0, address(found), address(count), capacity, 0)
+    if kind is Contact and own is not None:
+        raise ValueError("own is for one patch")
+    besides = (_own(own, body, single),) if kind is Patch else ()
+    call(name, single, body, one("creepage", Creepage, creepage, single), *besides, _law(friction, single), options(model, strips), outputs)
+    return Batch(Strip, found[: int(count)])
+
+
+def _law(friction: Optional[Friction], single: bool) -> Optional[bytes]:
+    return None if friction is None else one("friction", Friction, friction, single)
 
 
 def field(area: Union[Contact, Patch], creepage: Creepage, x: ArrayLike, y: ArrayLike, model: Model = "default",
-          strips: int = 0, friction: Optional[Friction] = None) -> Point:
+          strips: int = 0, friction: Optional[Friction] = None) -> Batch[Point]:
     """Pressure, traction, slip, dissipation and state of one contact or patch at all (x[i], y[j]) [m].
 
     friction: a law of friction() that falls with the slip, or has a layer.
 
     Returns points of shape (y.size, x.size): element [j, i]. States: OUTSIDE, STICK, SLIP, SLIP_NEGATIVE_DISSIPATION.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> points = kstrip.field(contact, kstrip.creepage(1e-3), x=[-5e-3, 0.0, 7e-3], y=[0.0])
+    >>> points.state, points.pressure.round(-6)
+    (array([[2, 1, 0]], dtype=int32), array([[7.820e+08, 1.415e+09, 0.000e+00]]))
     """
-    kind, name = ("patch", "kstrip_patch_field") if is_patch(area) else ("contact", "kstrip_field")
-    single = is_single(area, creepage, friction)
-    only, motion = one(kind, area, single), one("creepage", creepage, single)
-    law = None if friction is None else one("friction", friction, single)
+    single, kind = is_single(area, creepage, friction), Patch if is_patch(area) else Contact
+    name = "kstrip_patch_field" if kind is Patch else "kstrip_field"
     across, along = floats(x, "x", single).reshape(-1), floats(y, "y", single).reshape(-1)
-    count_of(across.size * along.size)
-    points = np.zeros((along.size, across.size), dtypes["point" + "_f32" * single])
-    call(name, single, only, motion, law, ctypes.byref(options(model, strips)), across, across.size, along, along.size, points, points.size)
-    return points.view(Point)
+    points = np.zeros((along.size, across.size), dtype_of("point", single))
+    call(name, single, one("area", kind, area, single), one("creepage", Creepage, creepage, single), _law(friction, single),
+         options(model, strips), across, across.size, along, along.size, points, count_of(points.size))
+    return Batch(Point, points)
 
 
-def on_upper_body(results: Result) -> Result:
-    """The same results seen from the upper body (the wheel): opposite forces and moment."""
-    turned = records("result", results, is_single(results)).copy()
+def on_upper_body(results: Many[Result]) -> Any:
+    """The same results seen from the upper body (the wheel): opposite forces and moment.
+
+    >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+    >>> kstrip.on_upper_body(kstrip.solve(contact, kstrip.creepage(1e-3))).fx < 0.0
+    True
+    """
+    if type(results) is not Result and not (type(results) is Batch and results.kind is Result):
+        raise wrong("results", Result, results)
+    turned: Any = dataclasses.replace(results) if isinstance(results, Result) else results.copy()
     for member in ("fx", "fy", "mz"):
         turned[member] = -turned[member]
-    return turned.view(Result)
+    return turned

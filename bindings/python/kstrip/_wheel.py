@@ -2,169 +2,189 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Iterable, NamedTuple, Optional, Sequence, Union
+from dataclasses import dataclass
+from itertools import repeat
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ._calls import PART, Strided, call, lazy, many, out, real, size_of
-from ._inputs import Model, Plain, Shape, broadcast, count_of, flat, floats, is_single, one, options, record, records
-from ._library import constants, dtypes
-from ._types import Friction, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
+from ._batch import Batch
+from ._calls import Elements, call, memory, optional, zeros
+from ._contacts import KeptContacts, OfContacts
+from ._group import Group
+from ._inputs import Many, count_of, floats, is_single, number, precision
+from ._library import dtype_of
+from .values import Friction, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
+
+
+class PreparedProfile:
+    """A profile of a rail or a wheel, prepared by prepare_profile() or Profile.prepare(): points at equal steps of its length.
+
+    y, z: the points [m]. step: length between them [m]. count: their number. smoothing_length [m]: as given. single: whether they have single
+    precision.
+    """
+
+    __slots__ = ("_bytes", "smoothing_length", "single")
+
+    def __init__(self, raw: bytes, smoothing_length: float = 0.0, single: bool = False):
+        self._bytes, self.smoothing_length, self.single = raw, smoothing_length, single
+
+    def _member(self, name: str) -> Any:
+        return np.frombuffer(self._bytes, dtype_of("surface", self.single))[0][name]
+
+    @property
+    def y(self) -> NDArray[np.float64]:
+        points: NDArray[np.float64] = self._member("y")[: self.count]
+        return points
+
+    @property
+    def z(self) -> NDArray[np.float64]:
+        points: NDArray[np.float64] = self._member("z")[: self.count]
+        return points
+
+    @property
+    def step(self) -> float:
+        return float(self._member("step"))
+
+    @property
+    def count(self) -> int:
+        return int(self._member("count"))
+
+    def __bytes__(self) -> bytes:
+        """The structure of the C library."""
+        return self._bytes
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, PreparedProfile) and self._bytes == other._bytes and self.smoothing_length == other.smoothing_length
+
+    def __hash__(self) -> int:
+        return hash(self._bytes)
+
+    def __repr__(self) -> str:
+        spans = ", ".join(f"{name} {1e3 * v.min():.2f} to {1e3 * v.max():.2f} mm" for name, v in (("y", self.y), ("z", self.z)))
+        smoothed = f", smoothing_length {1e3 * self.smoothing_length:g} mm" if self.smoothing_length else ""
+        return f"PreparedProfile({self.count} points, {spans}, step {1e3 * self.step:.4f} mm{smoothed}{', single precision' * self.single})"
+
+    def __dir__(self) -> list[str]:
+        return ["y", "z", "step", "count", "smoothing_length", "single"]
 
 
 def prepare_profile(y: ArrayLike, z: ArrayLike, step: float = 0.0, smoothing_length: float = 0.0,
-                    dtype: DTypeLike = np.float64) -> Surface:
+                    dtype: DTypeLike = np.float64) -> PreparedProfile:
     """A prepared profile of a rail or a wheel from its points [m], z down, the gauge side or the flange at small y.
 
     y, z: the points in their order along the profile, either way. A file is read by read_profile(), which has `prepare()`.
     step: between prepared points [m]; 0: the library's choice. smoothing_length [m]: 2 to 4 mm suit measured profiles.
+
+    >>> y = np.linspace(-12e-3, 12e-3, 241)
+    >>> kstrip.prepare_profile(y, y**2 / 0.6)
+    PreparedProfile(512 points, y -12.00 to 12.00 mm, z 0.00 to 0.24 mm, step 0.0470 mm)
     """
-    single = np.dtype(dtype) == np.float32
+    single = precision(dtype, "prepare_profile")
     across, down = floats(y, "y", single), floats(z, "z", single)
     if across.shape != down.shape:
         raise ValueError(f"y and z have different shapes: y {across.shape}, z {down.shape}")
-    made = np.zeros((), dtypes["surface" + "_f32" * single])
-    call("kstrip_prepare_profile", single, across, down, count_of(across.size), float(step), float(smoothing_length), made)
-    return made.view(Surface)
+    made, length = zeros("surface", single), number(smoothing_length, "smoothing_length")
+    call("kstrip_prepare_profile", single, across, down, count_of(across.size), number(step, "step"), length, made)
+    return PreparedProfile(made.tobytes(), length, single)
 
 
-def wheel_pair(*, wheel_radius: ArrayLike, shear_modulus: ArrayLike, poisson_ratio: ArrayLike,
-               friction: Union[ArrayLike, Sequence[tuple[float, float]]] = 0.0, left: ArrayLike = False,
-               smoothing_length: ArrayLike = 0.0, strips: int = 0, model: Model = "default",
-               normal_damping: ArrayLike = 0.0, floor_speed: ArrayLike = 0.0, rail_radius: ArrayLike = 0.0,
-               rail_ahead: ArrayLike = 0.0, rail_speed: ArrayLike = 0.0,
-               dtype: DTypeLike = np.float64) -> WheelPair:
-    """Materials, side and friction of a wheel and a rail; numbers and arrays broadcast.
+def prepared(argument: str, profile: Any, single: bool) -> bytes:
+    """The structure of a prepared profile."""
+    if not isinstance(profile, PreparedProfile):
+        how = f"{argument}.prepare() makes it of a Profile" if hasattr(profile, "prepare") else "read_profile(path).prepare() or prepare_profile(y, z) makes it"
+        raise TypeError(f"{argument}: a prepared profile is needed, and this is a {type(profile).__name__}: {how}")
+    if profile.single != single:
+        raise TypeError(f"{argument}: it has {'single' if profile.single else 'double'} precision, and other arguments have another one")
+    return profile._bytes
 
-    wheel_radius: at z = 0 of its profile [m]. shear_modulus [Pa], poisson_ratio [-]: combined constants of both bodies.
-    friction: one number, or up to four pairs (y on the rail [m], coefficient), linear between them.
-    left: whether it is a left wheel; the profiles are always those of a right one. normal_damping: of the pressure [s/m].
-    floor_speed: of the speed by which slip is divided [m/s]; 0: 0.02. rail_radius: of a roller [m]; 0: a straight rail; its axis is
-    rail_ahead [m] ahead of the wheel's centre, and its surface moves backward with rail_speed [m/s].
+
+@dataclass(slots=True, repr=False, eq=False)
+class WheelOnRail(OfContacts, Group):
+    """What acts on wheels. Each member has the shape to which pair, position, velocity and friction broadcast.
+
+    wrench: force [N], moment [N m], dissipation [W], normal_force [N], contacts, status_detail.
+    derivatives: with respect to velocity and to a factor of friction.
+    by_position: with respect to lateral, vertical, yaw, roll; None if it was not requested.
+    contacts: of one wheel its contacts, shape (count,). Of several wheels shape (..., most contacts of a wheel): those of a wheel are its
+        first `counts` ones, the others are zero.
+    pair, position, velocity, friction: as they were given.
+    statuses: the status of each wheel.
+
+    creepages, wrenches, t_gamma: of each contact, in the shape of `contacts`.
     """
-    places = np.asarray(friction, float) if np.ndim(friction) else np.zeros((0, 2))
-    room = constants["KSTRIP_RAIL_FRICTION_CAPACITY"]
-    if places.ndim != 2 or places.shape[1] != 2 or len(places) > room:
-        raise ValueError(f"friction is one number, or up to {room} pairs of y and friction; this has the shape {places.shape}")
-    chosen = options(model, strips)
-    made: WheelPair = record("wheel_pair", dtype, wheel_radius=wheel_radius, shear_modulus=shear_modulus, poisson_ratio=poisson_ratio,
-                             friction=0.0 if len(places) else friction, friction_points=len(places),
-                             left=np.asarray(left, bool).astype(int), smoothing_length=smoothing_length, strips=chosen.strips,
-                             model=chosen.model, normal_damping=normal_damping, floor_speed=floor_speed,
-                             rail_radius=rail_radius, rail_ahead=rail_ahead, rail_speed=rail_speed)
-    made["friction_y"][..., : len(places)], made["friction_at"][..., : len(places)] = places.T
-    return made
+
+    wrench: Many[Wrench]
+    derivatives: Many[WrenchDerivatives]
+    by_position: Optional[Many[WrenchByPosition]]
+    contacts: Batch[WheelContact]
+    pair: Many[WheelPair]
+    position: Many[WheelPosition]
+    velocity: Many[WheelVelocity]
+    friction: Optional[Many[Friction]]
+    statuses: Any
 
 
-def wheel_position(*, lateral: ArrayLike, vertical: ArrayLike = 0.0, yaw: ArrayLike = 0.0, roll: ArrayLike = 0.0,
-                   dtype: DTypeLike = np.float64) -> WheelPosition:
-    """Where a wheel's centre is over the rail [m, m, rad, rad]; numbers and arrays broadcast.
-
-    `vertical` is zero when the centre is one wheel radius above the rail's origin; positive downward.
-    """
-    made: WheelPosition = record("wheel_position", dtype, lateral=lateral, vertical=vertical, yaw=yaw, roll=roll)
-    return made
+def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any], Any, Any]:
+    """Elements, the columns of rail and wheel, and the workspace with its address."""
+    single = is_single(rail, wheel, friction, *(value for _, value in given.values()))
+    profiles = [repeat(prepared("rail", rail, single)), repeat(prepared("wheel", wheel, single))]
+    elements = Elements(single, on_error, **given, friction=optional(Friction, friction))
+    return elements, profiles, *memory.workspace("wheel_workspace", single)
 
 
-def wheel_velocity(*, forward: ArrayLike, pitch: ArrayLike, lateral: ArrayLike = 0.0, vertical: ArrayLike = 0.0,
-                   roll: ArrayLike = 0.0, yaw: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> WheelVelocity:
-    """How a wheel moves over the rail [m/s; rad/s about its wheelset's own axes]; numbers and arrays broadcast.
-
-    `pitch` is about -forward/radius.
-    """
-    made: WheelVelocity = record("wheel_velocity", dtype, forward=forward, lateral=lateral, vertical=vertical, roll=roll,
-                                 pitch=pitch, yaw=yaw)
-    return made
-
-
-class WheelOnRail(NamedTuple):
-    """What acts on wheels. Each member has the shape to which pair, position, velocity and friction broadcast."""
-
-    #: force [N], moment [N m], dissipation [W], normal_force [N], contacts, status_detail
-    wrench: Wrench
-    #: with respect to velocity and to a factor of friction; exact
-    derivatives: WrenchDerivatives
-    #: with respect to lateral, vertical, yaw, roll: None where not asked for
-    by_position: Optional[WrenchByPosition]
-    #: of one wheel its contacts, shape (count,). Of several wheels shape (..., most contacts of a wheel); unused ones are zero.
-    contacts: WheelContact
-
-
-class _Wheels:
-    """The inputs of many wheels: prepared profiles, and records that broadcast."""
-
-    def __init__(self, rail: Any, wheel: Any, law: Any, support: Any = None, **given: Any):
-        self.single = is_single(rail, wheel, law, *given.values())
-        self.profiles = one("surface", rail, self.single, "rail"), one("surface", wheel, self.single, "wheel")
-        kinds = {"friction": "friction", **{name: f"wheel_{name}" for name in given}}
-        found: dict[str, Optional[Plain]] = {name: None if value is None else records(kinds[name], value, self.single)
-                                             for name, value in (*given.items(), ("friction", law))}
-        found["support"] = None if support is None else floats(support, "support", self.single)
-        self.shape: Shape = broadcast(**found)
-        self.flats = {name: None if value is None else flat(value, self.shape) for name, value in found.items()}
-        self.memory = np.zeros((), dtypes["wheel_workspace" + "_f32" * self.single])
-
-    def call(self, name: str, inputs: Iterable[str], outputs: Iterable[Optional[Strided]], to: Sequence[Any] = (),
-             after: Optional[Callable[[int, int], None]] = None) -> None:
-        profiles = [profile.ctypes.data for profile in self.profiles]
-        many(name, self.single, self.shape, profiles, [self.flats[each] for each in inputs], self.memory, outputs, to, after)
-
-
-def wheel_on_rail(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, velocity: WheelVelocity,
-                  friction: Optional[Friction] = None, by_position: bool = False, contacts: bool = True) -> WheelOnRail:
+def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition],
+                  velocity: Many[WheelVelocity], friction: Optional[Many[Friction]] = None, by_position: bool = False, contacts: bool = True,
+                  on_error: str = "raise") -> WheelOnRail:
     """Force and moment on wheels of prepared profiles, their derivatives and their contacts.
 
     rail, wheel: one each, by prepare_profile() or Profile.prepare(). pair: wheel_pair(). position: wheel_position(), whose
     `vertical` height_for_load() finds. velocity: wheel_velocity(). friction: a law of friction() that falls with the slip.
     pair, position, velocity and friction broadcast: two wheels at all positions are one call.
     by_position: also the derivatives with respect to the position. contacts: False leaves them out, for many wheels.
+    on_error: "raise" or "nan", as in solve().
 
-    >>> wheels = kstrip.wheel_on_rail(rail, wheel, pair, kstrip.wheel_position(lateral=shifts, vertical=heights), velocity)
-    >>> wheels.wrench.force[..., 1]                     # lateral force on the wheel [N] at each shift
+    >>> position = kstrip.wheel_position(lateral=-6e-3)
+    >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
+    >>> on = kstrip.wheel_on_rail(rail, wheel, pair, position, kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46))
+    >>> print(f"{1e-3 * on.wrench.force[1]:.1f} kN, {len(on.contacts)} contact at {np.degrees(on.contacts[0].angle):.1f} degrees")
+    -3.6 kN, 1 contact at -6.8 degrees
+    >>> print(f"creepage {100 * on.creepages[0].longitudinal:.2f} %, T-gamma {on.t_gamma[0]:.0f} N")
+    creepage -0.25 %, T-gamma 51 N
     """
-    wheels = _Wheels(rail, wheel, friction, pair=pair, position=position, velocity=velocity)
-    single, shape = wheels.single, wheels.shape
-    wrench, slopes = out("wrench", shape, single), out("wrench_derivatives", shape, single)
-    moved = out("wrench_by_position", shape, single) if by_position else None
-    room = constants["KSTRIP_CONTACTS_CAPACITY"] if contacts else 0
-    of_contact = wheels.memory.dtype["contacts"].base
-    # (numpy copies memory faster than structures)
-    met: Plain = np.zeros((PART, room), np.dtype((np.void, of_contact.itemsize)))
-    kept: Plain = np.zeros((size_of(shape), 0), met.dtype)
-
-    def keep(first: int, size: int) -> None:
-        nonlocal kept
-        counts = wrench[0]["contacts"][first : first + size]
-        most = int(counts.max(initial=0))
-        if most > kept.shape[1]:
-            before, kept = kept, lazy((len(kept), most), met.dtype)
-            kept[:first, : before.shape[1]] = before[:first]
-        for number in range(most):
-            has = counts > number
-            if has.all():
-                kept[first : first + size, number] = met[:size, number]
-            else:
-                kept[first : first + size, number][has] = met[:size, number][has]
-
-    wheels.call("kstrip_wheels_on_rails", ("pair", "position", "velocity", "friction"), (wrench, slopes, moved),
-                (met.ctypes.data if contacts else None, room), keep if contacts else None)
-    return WheelOnRail(wrench[0].reshape(shape).view(Wrench), slopes[0].reshape(shape).view(WrenchDerivatives),
-                       None if moved is None else moved[0].reshape(shape).view(WrenchByPosition),
-                       kept.view(of_contact).reshape((*shape, kept.shape[1])).view(WheelContact))
+    elements, profiles, space, place = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                                 velocity=(WheelVelocity, velocity))
+    (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
+    moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
+    kept = KeptContacts(space)
+    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), repeat(place), first, second, third, after=kept if contacts else None)
+    statuses = elements.statuses(found, wrenches, slopes, moved)
+    made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
+                       None if moved is None else elements.result(WrenchByPosition, moved, statuses), kept.batch(elements),
+                       elements.given("pair"), elements.given("position"), elements.given("velocity"), elements.given("friction"), statuses)
+    return elements.report(made, statuses)
 
 
-def height_for_load(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, support: ArrayLike,
-                    velocity: Optional[WheelVelocity] = None, friction: Optional[Friction] = None) -> NDArray[np.float64]:
+def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition], support: ArrayLike,
+                    velocity: Optional[Many[WheelVelocity]] = None, friction: Optional[Many[Friction]] = None, on_error: str = "raise",
+                    statuses: Optional[NDArray[np.int32]] = None) -> Any:
     """The vertical positions [m] at which the rail supports wheels with a force [N].
 
     Arguments as in wheel_on_rail(); all but rail and wheel broadcast. The search begins at position's `vertical`.
     velocity: None: the pressure alone carries the load.
+    on_error: "raise" or "nan", as in solve(). statuses: an array in the shape of the results that receives the status of each.
 
-    >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
+    >>> positions = kstrip.wheel_position(lateral=[-12e-3, -10e-3, -8e-3])
+    >>> positions.vertical = kstrip.height_for_load(rail, wheel, pair, positions, 80e3)
+    >>> print(1e3 * positions.vertical.round(5))
+    [0.29 0.23 0.1 ]
     """
-    wheels = _Wheels(rail, wheel, friction, support, pair=pair, position=position, velocity=velocity)
-    heights = real(wheels.shape, wheels.single)
-    wheels.call("kstrip_heights_for_loads", ("pair", "position", "support", "velocity", "friction"), (heights,))
-    found: NDArray[np.float64] = heights[0].reshape(wheels.shape)[()]
-    return found
+    elements, profiles, _, place = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                             support=(float, support), velocity=optional(WheelVelocity, velocity))
+    heights, places = elements.real()
+    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), repeat(place), places)
+    told = elements.statuses(found, heights)
+    if statuses is not None:
+        statuses[...] = told
+    return elements.report(elements.numbers(heights), told)

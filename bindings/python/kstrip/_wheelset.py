@@ -2,226 +2,364 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple, Optional, Sequence
+import copy
+import ctypes
+import struct
+from dataclasses import KW_ONLY, dataclass
+from itertools import repeat
+from typing import Any, Optional, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike, DTypeLike, NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from ._calls import call, many, out, real
-from ._inputs import Plain, broadcast, count_of, flat, floats, is_single, one, record, records
-from ._library import dtypes
-from ._types import (
+from ._batch import Batch
+from ._calls import Elements, call, memory
+from ._contacts import KeptContacts, OfContacts
+from ._group import Group
+from ._inputs import Many, array_of, count_of, floats, is_single, make, number, one
+from ._library import dtype_of
+from ._wheel import PreparedProfile, prepared
+from .values import (
     Curve,
     Friction,
     RailMotion,
-    Surface,
+    WheelContact,
     WheelPair,
     WheelPosition,
     WheelsetByPosition,
     WheelsetDerivatives,
     WheelsetForces,
     WheelVelocity,
+    Wrench,
 )
 
-
-def rail_motion(lateral: ArrayLike = 0.0, vertical: ArrayLike = 0.0, lateral_velocity: ArrayLike = 0.0,
-                vertical_velocity: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> RailMotion:
-    """Displacement [m] and velocity [m/s] of rails: irregularities of the track, or flexible rails; to the right and down."""
-    made: RailMotion = record("rail_motion", dtype, lateral=lateral, vertical=vertical, lateral_velocity=lateral_velocity,
-                              vertical_velocity=vertical_velocity)
-    return made
+#: Addresses of four, and of two, structures in memory that Python keeps
+_Four, _Two = ctypes.c_char_p * 4, ctypes.c_char_p * 2
 
 
-def curve(speed: ArrayLike, curvature: ArrayLike = 0.0, cant: ArrayLike = 0.0, gravity: ArrayLike = 0.0,
-          dtype: DTypeLike = np.float64) -> Curve:
-    """A curve: speed [m/s], curvature [1/m] to the right, cant [rad] where the right rail is lower, gravity [m/s^2] (0: 9.80665)."""
-    made: Curve = record("curve", dtype, speed=speed, curvature=curvature, cant=cant, gravity=gravity)
-    return made
+def _reals(count: int, single: bool, *numbers: float) -> bytes:
+    return np.array(numbers, np.float32 if single else np.float64).tobytes() if single else struct.pack(f"{count}d", *numbers)
 
 
-class Wheelset:
+@dataclass(slots=True, repr=False, eq=False)
+class Wheelset(Group):
     """Two wheels on an axle, for wheelset_on_track() and wheelset_settle().
 
-    wheel, pair: prepare_profile() and wheel_pair() of the right wheel; left_wheel, left_pair: None: as the right one.
+    wheel, pair: the prepared profile and wheel_pair() of the right wheel; left_wheel, left_pair: None: as the right one.
     back_to_back: distance of the flange backs [m]; running_circles: of the running circles [m], 0: back_to_back and twice 70 mm.
     friction, left_friction: laws of friction() that fall with the slip; None: constant.
+
+    >>> kstrip.Wheelset(wheel, pair, back_to_back=1.36).back_to_back
+    1.36
     """
 
-    def __init__(self, wheel: Surface, pair: WheelPair, *, back_to_back: float = 0.0, running_circles: float = 0.0,
-                 left_wheel: Optional[Surface] = None, left_pair: Optional[WheelPair] = None, friction: Optional[Friction] = None,
-                 left_friction: Optional[Friction] = None):
-        self.single = is_single(wheel, pair, left_wheel, left_pair, friction, left_friction)
-        wheels = [None if each is None else one("surface", each, self.single, "wheel") for each in (wheel, left_wheel)]
-        laws = [None if each is None else one("friction", each, self.single) for each in (friction, left_friction)]
-        # (the structure points to them)
-        self._kept = [wheels, laws]
-        self.structure = np.zeros((), dtypes["wheelset" + "_f32" * self.single])
-        for i in range(2):
-            self.structure["wheel"][i] = _address(wheels[i])
-            self.structure["friction"][i] = _address(laws[i])
-        self.structure["pair"][0] = one("wheel_pair", pair, self.single, "pair")
-        if left_pair is not None:
-            self.structure["pair"][1] = one("wheel_pair", left_pair, self.single, "left_pair")
-        self.structure["back_to_back"], self.structure["running_circles"] = float(back_to_back), float(running_circles)
+    wheel: PreparedProfile
+    pair: Many[WheelPair]
+    _: KW_ONLY
+    back_to_back: float = 0.0
+    running_circles: float = 0.0
+    left_wheel: Optional[PreparedProfile] = None
+    left_pair: Optional[Many[WheelPair]] = None
+    friction: Optional[Many[Friction]] = None
+    left_friction: Optional[Many[Friction]] = None
+
+    @property
+    def half_distance(self) -> float:
+        """Half the distance of the running circles [m]."""
+        return 0.5 * (self.running_circles or self.back_to_back + 0.14)
+
+    def structure(self, single: bool) -> tuple[bytes, Any]:
+        """The structure of the C library for one call, and what holds the memory to which it points."""
+        left = None if self.left_wheel is None else prepared("left_wheel", self.left_wheel, single)
+        laws = [None if law is None else one(name, Friction, law, single) for name, law in (("friction", self.friction), ("left_friction", self.left_friction))]
+        points = _Four(prepared("wheel", self.wheel, single), left, *laws)
+        pair = one("pair", WheelPair, self.pair, single)
+        other = bytes(len(pair)) if self.left_pair is None else one("left_pair", WheelPair, self.left_pair, single)
+        distances = _reals(2, single, number(self.back_to_back, "back_to_back"), number(self.running_circles, "running_circles"))
+        return b"".join((points, pair, other, distances)).ljust(dtype_of("wheelset", single).itemsize, b"\0"), points
 
 
-class Track:
+@dataclass(slots=True, repr=False, eq=False)
+class Track(Group):
     """Two rails, for wheelset_on_track() and wheelset_settle().
 
-    rail: prepare_profile() of the right rail; left_rail: None: as the right one. gauge: distance of the gauge faces [m], measured down
+    rail: the prepared profile of the right rail; left_rail: None: as the right one. gauge: distance of the gauge faces [m], measured down
     to gauge_depth below the top [m], 0: 14 mm. origin: distances of the rails' origins from the middle of the track, right and left [m];
     0: from the gauge. motion: rail_motion() of shape (2,), right and left; None: at rest.
+
+    >>> kstrip.Track(rail, gauge=1.435).gauge
+    1.435
     """
 
-    def __init__(self, rail: Surface, *, gauge: float = 0.0, gauge_depth: float = 0.0, origin: Sequence[float] = (0.0, 0.0),
-                 left_rail: Optional[Surface] = None, motion: Optional[RailMotion] = None):
-        self.single = is_single(rail, left_rail, motion)
-        rails = [None if each is None else one("surface", each, self.single, "rail") for each in (rail, left_rail)]
-        self._kept = rails
-        self.structure = np.zeros((), dtypes["track" + "_f32" * self.single])
-        for i in range(2):
-            self.structure["rail"][i] = _address(rails[i])
-        self.structure["gauge"], self.structure["gauge_depth"] = float(gauge), float(gauge_depth)
-        if np.shape(origin) != (2,):
-            raise ValueError(f"origin has two numbers, right and left, and this has the shape {np.shape(origin)}")
-        self.structure["origin"] = origin
-        if motion is not None:
-            moves = records("rail_motion", motion, self.single)
-            if moves.shape != (2,):
-                raise ValueError(f"motion has two elements, right and left, and this has the shape {moves.shape}")
-            self.structure["motion"] = moves
+    rail: PreparedProfile
+    _: KW_ONLY
+    gauge: float = 0.0
+    gauge_depth: float = 0.0
+    origin: Sequence[float] = (0.0, 0.0)
+    left_rail: Optional[PreparedProfile] = None
+    motion: Optional[Batch[RailMotion]] = None
+
+    def structure(self, single: bool) -> tuple[bytes, Any]:
+        """The structure of the C library for one call, and what holds the memory to which it points."""
+        left = None if self.left_rail is None else prepared("left_rail", self.left_rail, single)
+        points = _Two(prepared("rail", self.rail, single), left)
+        if np.shape(self.origin) != (2,):
+            raise ValueError(f"origin: two numbers are needed, right and left, and this has the shape {np.shape(self.origin)}")
+        places = _reals(4, single, number(self.gauge, "gauge"), number(self.gauge_depth, "gauge_depth"), *(number(y, "origin") for y in self.origin))
+        moves = b""
+        if self.motion is not None:
+            given = array_of("motion", RailMotion, self.motion, single)
+            if given.shape != (2,):
+                raise ValueError(f"motion: two elements are needed, right and left, and this has the shape {given.shape}")
+            moves = given.tobytes()
+        return b"".join((points, places, moves)).ljust(dtype_of("track", single).itemsize, b"\0"), points
 
 
-def _address(array: Optional[Plain]) -> int:
-    return 0 if array is None else array.ctypes.data
+def _structures(wheelset: Any, track: Any) -> tuple[bool, tuple[Any, Any], Any]:
+    """Precision, both structures as columns of a call, and what holds their memory."""
+    for name, kind, value in (("wheelset", Wheelset, wheelset), ("track", Track, track)):
+        if not isinstance(value, kind):
+            raise TypeError(f"{name}: a kstrip.{kind.__name__} is needed, not {type(value).__name__}")
+    single = is_single(wheelset.wheel, track.rail)
+    (first, kept), (second, also) = wheelset.structure(single), track.structure(single)
+    return single, (repeat(first), repeat(second)), (kept, also)
 
 
-def _precision(wheelset: Wheelset, track: Track) -> bool:
-    if not isinstance(wheelset, Wheelset) or not isinstance(track, Track):
-        raise TypeError(f"a kstrip.Wheelset and a kstrip.Track are needed, not {type(wheelset).__name__} and {type(track).__name__}")
-    if wheelset.single != track.single:
-        raise TypeError("wheelset and track have different precisions")
-    return wheelset.single
+@dataclass(slots=True, repr=False, eq=False)
+class WheelOfWheelset(OfContacts, Group):
+    """One wheel of a wheelset on a track.
+
+    wrench: force on the wheel [N], moment about its centre [N m], dissipation [W], normal_force [N], contacts, status_detail.
+    contacts, creepages, wrenches, t_gamma: of each contact, as in wheel_on_rail().
+    pair, friction: of the wheelset. velocity: of this wheel relative to its rail.
+    """
+
+    wrench: Many[Wrench]
+    contacts: Batch[WheelContact]
+    pair: Many[WheelPair]
+    velocity: Many[WheelVelocity]
+    friction: Optional[Many[Friction]]
 
 
-class WheelsetOnTrack(NamedTuple):
-    """What acts on wheelsets and rails. Each member has the shape to which position and velocity broadcast."""
+@dataclass(slots=True, repr=False, eq=False)
+class WheelsetOnTrack(Group):
+    """What acts on wheelsets and rails. Each member has the shape to which position and velocity broadcast.
 
-    #: wrench on the wheelset, wheel: on the right and the left wheel, rail: forces on the rails
-    forces: WheelsetForces
-    #: with respect to the ten velocities and to friction; exact
-    derivatives: WheelsetDerivatives
-    #: with respect to the ten positions; None where not asked for
-    by_position: Optional[WheelsetByPosition]
+    forces: wrench on the wheelset, wheel: on the right and the left wheel, rail: forces on the rails.
+    derivatives: with respect to the ten velocities and to friction.
+    by_position: with respect to the ten positions; None if it was not requested.
+    contacts: of the right and of the left wheel.
+    wheelset, track, position, velocity: as they were given.
+    statuses: the status of each wheelset.
+
+    right, left: each wheel with its contacts, their creepages and T-gamma.
+    """
+
+    forces: Many[WheelsetForces]
+    derivatives: Many[WheelsetDerivatives]
+    by_position: Optional[Many[WheelsetByPosition]]
+    contacts: tuple[Batch[WheelContact], Batch[WheelContact]]
+    wheelset: Wheelset
+    track: Track
+    position: Many[WheelPosition]
+    velocity: Many[WheelVelocity]
+    statuses: Any
+
+    @property
+    def right(self) -> WheelOfWheelset:
+        """The right wheel."""
+        return self._wheel(0, 1.0, self.wheelset.pair, self.wheelset.friction)
+
+    @property
+    def left(self) -> WheelOfWheelset:
+        """The left wheel."""
+        pair = self.wheelset.pair if self.wheelset.left_pair is None else self.wheelset.left_pair
+        return self._wheel(1, -1.0, pair, self.wheelset.left_friction)
+
+    def _wheel(self, number: int, side: float, pair: Many[WheelPair], friction: Optional[Many[Friction]]) -> WheelOfWheelset:
+        return WheelOfWheelset(self.forces.wheel[..., number], self.contacts[number], pair, self._velocity(number, side), friction)
+
+    def _velocity(self, number: int, side: float) -> Any:
+        """The velocity of a wheel's centre relative to its rail: that of the wheelset's centre and that of its turning."""
+        at, moves, arm = self.position, self.velocity, side * self.wheelset.half_distance
+        rail = None if self.track.motion is None else self.track.motion[number]
+        # Components along the wheelset's own x and z, which roll turns about x and then yaw about z
+        along, down = -arm * np.asarray(moves.yaw), arm * np.asarray(moves.roll)
+        roll, yaw = np.asarray(at.roll), np.asarray(at.yaw)
+        return make(WheelVelocity, np.float64, forward=moves.forward + along * np.cos(yaw),
+                    lateral=moves.lateral + along * np.cos(roll) * np.sin(yaw) - down * np.sin(roll) - (rail.lateral_velocity if rail else 0.0),
+                    vertical=moves.vertical + along * np.sin(roll) * np.sin(yaw) + down * np.cos(roll) - (rail.vertical_velocity if rail else 0.0),
+                    roll=moves.roll, pitch=moves.pitch, yaw=moves.yaw)
 
 
-def wheelset_on_track(wheelset: Wheelset, track: Track, position: WheelPosition, velocity: WheelVelocity,
-                      by_position: bool = False) -> WheelsetOnTrack:
-    """Forces on a wheelset and its rails, with derivatives.
+def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosition], velocity: Many[WheelVelocity], by_position: bool = False,
+                      contacts: bool = True, on_error: str = "raise") -> WheelsetOnTrack:
+    """Forces on a wheelset and its rails, with derivatives and the contacts of both wheels.
 
     position: wheel_position() of the wheelset's centre in the axes of the track; vertical is zero when the centre is the mean of the
     radii above the rails' origins. velocity: wheel_velocity() of the centre relative to the momentary track: curve_motion().
     position and velocity broadcast.
+    by_position: also the derivatives with respect to the position. contacts: False leaves them out. on_error: "raise" or "nan", as in solve().
 
-    >>> wheelset = kstrip.Wheelset(wheel, pair, back_to_back=1.36)
-    >>> track = kstrip.Track(rail, gauge=1.435)
+    >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
     >>> still = kstrip.wheelset_settle(wheelset, track, kstrip.wheel_position(lateral=3e-3), velocity, 160e3)
-    >>> kstrip.wheelset_on_track(wheelset, track, still.position, still.velocity).forces.wrench
+    >>> on = kstrip.wheelset_on_track(wheelset, track, still.position, still.velocity)
+    >>> print(f"Y {1e-3 * on.forces.rail[0, 1]:.1f} kN and {1e-3 * on.forces.rail[1, 1]:.1f} kN")
+    Y 1.7 kN and -0.2 kN
+    >>> print(f"T-gamma of the right wheel {on.right.t_gamma.sum():.0f} N")
+    T-gamma of the right wheel 14 N
     """
-    single = _precision(wheelset, track)
-    places, moves = records("wheel_position", position, single), records("wheel_velocity", velocity, single)
-    shape = broadcast(position=places, velocity=moves)
-    forces, slopes = out("wheelset_forces", shape, single), out("wheelset_derivatives", shape, single)
-    moved = out("wheelset_by_position", shape, single) if by_position else None
-    memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
-    many("kstrip_wheelsets_on_track", single, shape, (wheelset.structure.ctypes.data, track.structure.ctypes.data),
-         (flat(places, shape), flat(moves, shape)), memory, (forces, slopes, moved))
-    return WheelsetOnTrack(forces[0].reshape(shape).view(WheelsetForces), slopes[0].reshape(shape).view(WheelsetDerivatives),
-                           None if moved is None else moved[0].reshape(shape).view(WheelsetByPosition))
+    single, structures, kept = _structures(wheelset, track)
+    elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity))
+    (forces, first), (slopes, second) = elements.out("wheelset_forces"), elements.out("wheelset_derivatives")
+    moved, third = elements.out("wheelset_by_position") if by_position else (None, repeat(None))
+    space, place = memory.workspace("wheelset_workspace", single)
+    right, left = (KeptContacts(space["wheel"][i, ...]) for i in range(2))
+
+    def keep(status: int) -> None:
+        right(status)
+        left(status)
+
+    found = elements.run("kstrip_wheelset_on_track", *structures, *elements.columns.values(), repeat(place), first, second, third,
+                         after=keep if contacts else None)
+    del kept
+    statuses = elements.statuses(found, forces, slopes, moved)
+    made = WheelsetOnTrack(elements.result(WheelsetForces, forces, statuses), elements.result(WheelsetDerivatives, slopes, statuses),
+                           None if moved is None else elements.result(WheelsetByPosition, moved, statuses),
+                           (right.batch(elements), left.batch(elements)),
+                           copy.copy(wheelset), copy.copy(track), elements.given("position"), elements.given("velocity"), statuses)
+    return elements.report(made, statuses)
 
 
-class Settled(NamedTuple):
-    """Wheelsets in balance. Each member has the shape to which the inputs broadcast."""
+@dataclass(slots=True, repr=False, eq=False)
+class Settled(Group):
+    """Wheelsets in balance. Each member has the shape to which the inputs broadcast.
 
-    position: WheelPosition
-    #: with the pitch rate
-    velocity: WheelVelocity
-    forces: WheelsetForces
+    position: with height and roll. velocity: with the pitch rate. forces: there. statuses: the status of each wheelset.
+    """
+
+    position: Many[WheelPosition]
+    velocity: Many[WheelVelocity]
+    forces: Many[WheelsetForces]
+    statuses: Any
 
 
-def wheelset_settle(wheelset: Wheelset, track: Track, start: WheelPosition, velocity: WheelVelocity, vertical: ArrayLike,
-                    roll: ArrayLike = 0.0, pitch: ArrayLike = 0.0) -> Settled:
+def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition], velocity: Many[WheelVelocity], vertical: ArrayLike,
+                    roll: ArrayLike = 0.0, pitch: ArrayLike = 0.0, on_error: str = "raise") -> Settled:
     """Height, roll and pitch rate at which the rails carry given loads, at given lateral position, yaw and speed.
 
     vertical: downward force at the centre, weight included [N]. roll: moment onto the right rail [N m]. pitch: torque about the axle
-    [N m], negative where it drives forward. start, velocity and loads broadcast.
+    [N m], negative where it drives forward. start, velocity and loads broadcast. on_error: "raise" or "nan", as in solve().
+
+    >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
+    >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5))
+    >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 160e3)
+    >>> print(1e-3 * still.forces.rail[:, 0, 2].round(-2))
+    [78.3 78.9 80.  81.1 81.7]
     """
-    single = _precision(wheelset, track)
-    places, moves = records("wheel_position", start, single), records("wheel_velocity", velocity, single)
-    loads = records("wheelset_loads", record("wheelset_loads", np.float32 if single else np.float64, vertical=vertical, roll=roll,
-                                             pitch=pitch), single)
-    shape = broadcast(start=places, velocity=moves, loads=loads)
-    position, rates, forces = (out(name, shape, single) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
-    memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
-    many("kstrip_wheelsets_settle", single, shape, (wheelset.structure.ctypes.data, track.structure.ctypes.data),
-         (flat(places, shape), flat(moves, shape), flat(loads, shape)), memory, (position, rates, forces))
-    return Settled(position[0].reshape(shape).view(WheelPosition), rates[0].reshape(shape).view(WheelVelocity),
-                   forces[0].reshape(shape).view(WheelsetForces))
+    single, structures, kept = _structures(wheelset, track)
+    elements = Elements(single, on_error, start=(WheelPosition, start), velocity=(WheelVelocity, velocity), vertical=(float, vertical),
+                        roll=(float, roll), pitch=(float, pitch))
+    (positions, first), (rates, second), (forces, third) = (elements.out(name) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
+    loads = map(struct.Struct("3f" if single else "3d").pack, *(elements.columns[name] for name in ("vertical", "roll", "pitch")))
+    found = elements.run("kstrip_wheelset_settle", *structures, elements.columns["start"], elements.columns["velocity"], loads,
+                         repeat(memory.workspace("wheelset_workspace", single)[1]), first, second, third)
+    del kept
+    statuses = elements.statuses(found, positions, rates, forces)
+    made = Settled(elements.result(WheelPosition, positions, statuses), elements.result(WheelVelocity, rates, statuses),
+                   elements.result(WheelsetForces, forces, statuses), statuses)
+    return elements.report(made, statuses)
 
 
-def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLike, with_roll: bool = False) -> NDArray[np.float64]:
+def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLike, with_roll: bool = False, on_error: str = "raise",
+                              statuses: Optional[NDArray[np.int32]] = None) -> Any:
     """The difference of the rolling radii, right minus left [m], at each lateral shift [m] of a wheelset without yaw.
 
-    with_roll: False: without roll, as EN 15302 has it.
+    with_roll: False: without roll, as EN 15302 has it. on_error: "raise" or "nan", as in solve().
+    statuses: an array in the shape of the results that receives the status of each.
+
+    >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
+    >>> print(1e3 * kstrip.rolling_radius_difference(wheelset, track, [-3e-3, 0.0, 3e-3]).round(5))
+    [-0.97  0.    0.97]
     """
-    single = _precision(wheelset, track)
-    given = floats(shifts, "shifts", single)
-    made = np.zeros(given.shape, given.dtype)
-    memory = np.zeros((), dtypes["wheelset_workspace" + "_f32" * single])
-    call("kstrip_rolling_radius_difference", single, wheelset.structure, track.structure, given, count_of(given.size), int(bool(with_roll)),
-         memory, made, None)
-    return made
+    single, structures, kept = _structures(wheelset, track)
+    elements = Elements(single, on_error, shifts=(float, shifts))
+    differences, places = elements.real()
+    given = map(struct.Struct("f" if single else "d").pack, elements.columns["shifts"])
+    found = elements.run("kstrip_rolling_radius_difference", *structures, given, repeat(1), repeat(int(bool(with_roll))),
+                         repeat(memory.workspace("wheelset_workspace", single)[1]), places, repeat(None))
+    del kept
+    told = elements.statuses(found, differences)
+    if statuses is not None:
+        statuses[...] = told
+    return elements.report(elements.numbers(differences), told)
 
 
-class Conicity(NamedTuple):
-    """What equivalent_conicity() returns: arrays of the shape of the amplitudes."""
+@dataclass(slots=True, repr=False, eq=False)
+class Conicity(Group):
+    """What equivalent_conicity() returns: arrays of the shape of the amplitudes.
 
-    conicity: NDArray[np.float64]
-    #: [m]
-    wave_length: NDArray[np.float64]
+    conicity: [-]; 0: the wheelset does not steer. wave_length: [m]; infinite where the conicity is 0. statuses: of each amplitude.
+    """
+
+    conicity: Any
+    wave_length: Any
+    statuses: Any
 
 
 def equivalent_conicity(shifts: ArrayLike, differences: ArrayLike, amplitudes: ArrayLike, *, running_circles: float = 1.5,
-                        wheel_radius: float = 0.46) -> Conicity:
+                        wheel_radius: float = 0.46, on_error: str = "raise") -> Conicity:
     """Equivalent conicity after EN 15302, and the wave length [m], at amplitudes [m] of the motion.
 
     shifts, differences: lateral shifts [m], ascending, and rolling_radius_difference() there [m]. running_circles: their distance [m].
+    on_error: "raise" or "nan", as in solve().
+
+    >>> shifts = np.linspace(-8e-3, 8e-3, 161)
+    >>> found = kstrip.equivalent_conicity(shifts, 0.1 * shifts, [1e-3, 3e-3])          # a cone of 1:20
+    >>> found.conicity.round(4), found.wave_length.round(2)
+    (array([0.05, 0.05]), array([16.5, 16.5]))
     """
-    across, radii, wanted = (floats(v, name, False) for v, name in ((shifts, "shifts"), (differences, "differences"), (amplitudes, "amplitudes")))
+    across, radii = floats(shifts, "shifts"), floats(differences, "differences")
     if across.shape != radii.shape:
         raise ValueError(f"shifts and differences have different shapes: shifts {across.shape}, differences {radii.shape}")
-    conicities, lengths = real(wanted.shape, False)[0], real(wanted.shape, False)[0]
-    call("kstrip_equivalent_conicity", False, across, radii, count_of(across.size), float(running_circles), float(wheel_radius), wanted,
-         count_of(wanted.size), conicities, lengths, None)
-    return Conicity(conicities.reshape(wanted.shape), lengths.reshape(wanted.shape))
+    elements = Elements(False, on_error, amplitudes=(float, amplitudes))
+    (conicities, first), (lengths, second) = elements.real(), elements.real()
+    shared = across.ctypes.data, radii.ctypes.data, count_of(across.size), number(running_circles, "running_circles"), number(wheel_radius, "wheel_radius")
+    found = elements.run("kstrip_equivalent_conicity", *map(repeat, shared), map(struct.Struct("d").pack, elements.columns["amplitudes"]), repeat(1),
+                         first, second, repeat(None))
+    statuses = elements.statuses(found, conicities, lengths)
+    return elements.report(Conicity(elements.numbers(conicities), elements.numbers(lengths), statuses), statuses)
 
 
-def gauge_face(rail: Surface, depth: float = 0.0) -> float:
-    """y of a rail's gauge face from the rail's origin [m], down to a depth below its top [m]; 0: 14 mm."""
+def gauge_face(rail: PreparedProfile, depth: float = 0.0) -> float:
+    """y of a rail's gauge face from the rail's origin [m], down to a depth below its top [m]; 0: 14 mm.
+
+    >>> round(kstrip.gauge_face(rail), 4)
+    -0.043
+    """
     single = is_single(rail)
     made = np.zeros((), np.float32 if single else np.float64)
-    call("kstrip_gauge_face", single, one("surface", rail, single, "rail"), float(depth), made)
+    call("kstrip_gauge_face", single, prepared("rail", rail, single), number(depth, "depth"), made)
     return float(made)
 
 
-def curve_motion(curve: Curve, position: WheelPosition, relative: WheelVelocity) -> tuple[WheelVelocity, NDArray[np.float64]]:
+def curve_motion(curve: Many[Curve], position: Many[WheelPosition], relative: Many[WheelVelocity], on_error: str = "raise") -> tuple[Any, NDArray[np.float64]]:
     """The velocity relative to the momentary track of a body in a curve, and the weight per mass [m/s^2]: forward, lateral, vertical.
 
-    curve: one curve(). position, relative: where the body is and how it moves in the axes that run along the curve.
+    curve: of curve(). position, relative: where the body is and how it moves in the axes that run along the curve. All broadcast; the
+    weights have the shape (..., 3).
+
+    >>> rest = kstrip.wheel_velocity(forward=0.0, pitch=-47.8)
+    >>> moves, weight = kstrip.curve_motion(kstrip.curve(22.0, 1 / 300.0), kstrip.wheel_position(lateral=0.0), rest)
+    >>> print(f"yaw rate {moves.yaw:.4f} rad/s, weight to the left {-weight[1]:.2f} m/s^2")
+    yaw rate 0.0733 rad/s, weight to the left 1.61 m/s^2
     """
-    single = is_single(curve, position, relative)
-    velocity = np.zeros((), dtypes["wheel_velocity" + "_f32" * single])
-    weight: Any = np.zeros(3, np.float32 if single else np.float64)
-    call("kstrip_curve_motion", single, one("curve", curve, single), one("wheel_position", position, single, "position"),
-         one("wheel_velocity", relative, single, "relative"), velocity, weight)
-    return velocity.view(WheelVelocity), weight
+    elements = Elements(is_single(curve, position, relative), on_error, curve=(Curve, curve), position=(WheelPosition, position),
+                        relative=(WheelVelocity, relative))
+    velocities, first = elements.out("wheel_velocity")
+    weights: Any = np.zeros((*elements.shape, 3), np.float32 if elements.single else np.float64)
+    begin = weights.ctypes.data
+    found = elements.run("kstrip_curve_motion", *elements.columns.values(), first, range(begin, begin + weights.nbytes, 3 * weights.itemsize))
+    statuses = elements.statuses(found, velocities)
+    weights[np.asarray(statuses) < 0] = np.nan
+    return elements.report((elements.result(WheelVelocity, velocities, statuses), weights), statuses)

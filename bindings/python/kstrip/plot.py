@@ -1,4 +1,4 @@
-"""Pictures of contacts and wheels; needs matplotlib: pip install kstrip[plot].
+"""Plots of contacts and wheels; needs matplotlib: pip install kstrip[plot].
 
     creep_curve          force against creepage, with its derivative, for several models
     traction_map         tractions inside a patch, with stick and slip
@@ -12,7 +12,8 @@ or a subfigure. Colours differ for colour-blind readers too, and stand out from 
 
 from __future__ import annotations
 
-from typing import Any, Optional, Sequence, Union
+import dataclasses
+from typing import Any, Iterator, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,11 +23,13 @@ try:
 except ImportError as error:
     raise ImportError("kstrip.plot needs matplotlib: pip install 'kstrip[plot]'") from error
 
-from ._inputs import Model
+from ._batch import Batch
+from ._inputs import Many, Model
 from ._solve import evaluate, field, solve
-from ._structures import creepage as creepage_of
-from ._types import Contact, Creepage, Friction, Patch, Surface, WheelContact, WheelPair, WheelPosition, WheelVelocity
-from ._wheel import height_for_load, wheel_on_rail, wheel_position, wheel_velocity
+from ._structures import creepage as creepage_of, wheel_position, wheel_velocity
+from ._wheel import PreparedProfile, height_for_load, wheel_on_rail
+from ._wheelset import Track, Wheelset, gauge_face
+from .values import Contact, Creepage, Friction, Patch, WheelContact, WheelPair, WheelPosition, WheelVelocity
 
 __all__ = ["creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "measured_curve", "COLOURS"]
 
@@ -58,11 +61,11 @@ def creep_curve(contact: Contact, creepage: Optional[ArrayLike] = None, *, spin:
     contact: one contact(). creepage: array [-]; None: to where the linear force is four times the friction bound.
     spin: [1/m]. models: their names. friction: a law of friction() that falls with the slip.
     """
-    bound = float(contact.friction * contact.normal_force)
+    bound = contact.friction * contact.normal_force
     if creepage is None:
         slope = evaluate(contact, creepage_of(0.0, 0.0, spin)).derivatives
         assert slope is not None
-        creepage = np.linspace(0.0, 4.0 * bound / float(slope.jacobian[..., 0, 0]), 201)
+        creepage = np.linspace(0.0, 4.0 * bound / float(slope.jacobian[0, 0]), 201)
     places = np.asarray(creepage, float)
     drawn = _new(figure, 5.5, 5.5)
     above, below = drawn.subplots(2, 1, sharex=True, height_ratios=(3, 2))
@@ -86,7 +89,7 @@ def traction_map(area: Union[Contact, Patch], creepage: Creepage, *, model: Mode
     area: one contact(), or a patch of any shape. creepage: one creepage().
     """
     if isinstance(area, Patch):
-        used = area.strips[: int(area.count)]
+        used = area.strips[: area.count]
         side, end = used.y + 0.5 * used.width, used.y - 0.5 * used.width
         y = np.linspace(1.02 * end.min() - 0.02 * side.max(), 1.02 * side.max() - 0.02 * end.min(), 241)
         half = float((used.half_length + abs(used.centre_x)).max())
@@ -120,32 +123,26 @@ def traction_map(area: Union[Contact, Patch], creepage: Creepage, *, model: Mode
     return drawn
 
 
-def _of_one(contacts: WheelContact) -> list[WheelContact]:
-    return [contact for contact in contacts if float(contact.normal_force) > 0.0]
-
-
-def patch_on_profiles(rail: Surface, wheel: Surface, pair: WheelPair, position: WheelPosition, *, figure: Any = None) -> Any:
+def patch_on_profiles(rail: PreparedProfile, wheel: PreparedProfile, pair: WheelPair, position: WheelPosition, *, figure: Any = None) -> Any:
     """Where a wheel touches a rail: both profiles with the patches on them, and below the pressure [MPa] in each patch.
 
     rail, wheel, pair, position: of one wheel, as in wheel_on_rail(). A left wheel is drawn as its mirror image, a right one.
     """
-    still = wheel_velocity(forward=1.0, pitch=-1.0 / float(pair.wheel_radius))
-    contacts = _of_one(wheel_on_rail(rail, wheel, pair, position, still).contacts)
-    sign = -1.0 if int(pair.left) else 1.0
-    lateral, vertical, roll = sign * float(position.lateral), float(position.vertical), sign * float(position.roll)
-    radius = float(pair.wheel_radius)
+    still = wheel_velocity(forward=1.0, pitch=-1.0 / pair.wheel_radius)
+    contacts = list(wheel_on_rail(rail, wheel, pair, position, still).contacts)
+    sign = -1.0 if pair.left else 1.0
+    lateral, vertical, roll, radius = sign * position.lateral, position.vertical, sign * position.roll, pair.wheel_radius
     drawn = _new(figure, 6.4, 6.0)
     grid = drawn.add_gridspec(2, max(1, len(contacts)), height_ratios=(3, 2))
     above = drawn.add_subplot(grid[0, :])
-    ry, rz = (1e3 * np.asarray(v)[: int(rail.count)] for v in (rail.y, rail.z))
-    wy, wz = (np.asarray(v)[: int(wheel.count)] for v in (wheel.y, wheel.z))
+    ry, rz, wy, wz = 1e3 * rail.y, 1e3 * rail.z, wheel.y, wheel.z
     # About the wheel's centre, one radius above z = 0 of its profile
     py = lateral + np.cos(roll) * wy - np.sin(roll) * (wz + radius)
     pz = vertical - radius + np.sin(roll) * wy + np.cos(roll) * (wz + radius)
     above.plot(ry, rz, label="rail", **_line(1))
     above.plot(1e3 * py, 1e3 * pz, label="wheel", **_line(0))
     for i, contact in enumerate(contacts):
-        used = contact.patch.strips[: int(contact.patch.count)]
+        used = contact.patch.strips[: contact.patch.count]
         y0, z0 = 1e3 * (sign * float(contact.origin[1]) + lateral), 1e3 * (float(contact.origin[2]) + vertical - radius)
         angle = float(contact.angle)
         s = 1e3 * np.array([(used.y - 0.5 * used.width).min(), (used.y + 0.5 * used.width).max()])
@@ -173,43 +170,51 @@ def patch_on_profiles(rail: Surface, wheel: Surface, pair: WheelPair, position: 
     return drawn
 
 
-def _mean(contacts: WheelContact, name: str) -> NDArray[np.float64]:
-    """A member of the contacts of each wheel, weighted with load; NaN for a lifted wheel."""
+def _mean(contacts: Batch[WheelContact], name: str) -> NDArray[np.float64]:
+    """A member of the contacts of each wheel, weighted with load; NaN for a wheel without contact."""
     weights = contacts.share * contacts.normal_force
     with np.errstate(invalid="ignore"):
         found: NDArray[np.float64] = np.sum(weights * contacts[name], axis=-1) / np.sum(weights, axis=-1)
     return found
 
 
-def lateral_shift(rail: Surface, wheel: Surface, pair: WheelPair, shifts: ArrayLike, load: float, *, offset: float = 0.0,
-                  velocity: Optional[WheelVelocity] = None, friction: Optional[Friction] = None, figure: Any = None) -> Any:
+def _sides(wheelset: Wheelset, track: Track) -> Iterator[tuple[PreparedProfile, PreparedProfile, Any, Any, float]]:
+    """Rail, wheel, pair, law of friction and `lateral` in the middle of the track, of the right and of the left wheel."""
+    rights = track.rail, wheelset.wheel, wheelset.pair, wheelset.friction
+    lefts = track.left_rail or track.rail, wheelset.left_wheel or wheelset.wheel, wheelset.left_pair or wheelset.pair, wheelset.left_friction
+    pair: Any
+    for number, (rail, wheel, pair, friction) in enumerate((rights, lefts)):
+        side = -1.0 if number else 1.0
+        origin = track.origin[number] or 0.5 * track.gauge - gauge_face(rail, track.gauge_depth)
+        yield rail, wheel, dataclasses.replace(pair, left=number), friction, side * (wheelset.half_distance - origin)
+
+
+def lateral_shift(wheelset: Wheelset, track: Track, shifts: ArrayLike, load: float, *, velocity: Optional[WheelVelocity] = None,
+                  figure: Any = None) -> Any:
     """A wheelset against its lateral shift: contact angle, radius difference, load and forces of both wheels.
 
-    rail, wheel, pair: as in wheel_on_rail(), of the right wheel; the left one is its mirror image. shifts: to the right [m].
-    load: vertical force that each rail carries [N]. offset: the right wheel's `lateral` at no shift [m], which is half the distance of
-    the running circles minus the distance of the rail's origin from the middle of the track.
-    velocity: of both wheels; None: 20 m/s, rolling at the nominal radius.
+    wheelset, track: Wheelset and Track; the rails are at rest. shifts: to the right [m]. load: vertical force that each rail carries [N].
+    velocity: of both wheels; None: 20 m/s, rolling at the nominal radius. Where a wheel has no position that carries the load the curves
+    have a gap.
     """
     across = np.asarray(shifts, float)
-    both = np.stack([np.asarray(pair), np.asarray(pair)]).view(WheelPair)
-    both.left = [0, 1]
-    sides = np.array([1.0, -1.0])[:, None]
-    place = wheel_position(lateral=across + sides * offset)
-    pairs = both[:, None]
-    place.vertical = height_for_load(rail, wheel, pairs, place, load, None, friction)
-    if velocity is None:
-        velocity = wheel_velocity(forward=20.0, pitch=-20.0 / float(pair.wheel_radius))
-    wheels = wheel_on_rail(rail, wheel, pairs, place, velocity, friction)
-    radius = _mean(wheels.contacts, "radius")
-    angle = sides * _mean(wheels.contacts, "angle")
+    moves = wheel_velocity(forward=20.0, pitch=-20.0 / wheelset.pair.wheel_radius) if velocity is None else velocity
+    wheels, radius, angle = [], [], []
+    for side, (rail, wheel, pair, friction, middle) in zip((1.0, -1.0), _sides(wheelset, track)):
+        place = wheel_position(lateral=across + middle)
+        place.vertical = height_for_load(rail, wheel, pair, place, load, None, friction, on_error="nan")
+        found = wheel_on_rail(rail, wheel, pair, place, moves, friction, on_error="nan")
+        wheels.append(found)
+        radius.append(_mean(found.contacts, "radius"))
+        angle.append(side * _mean(found.contacts, "angle"))
     drawn = _new(figure, 8.0, 6.0)
     (first, second), (third, fourth) = drawn.subplots(2, 2, sharex=True)
     millimetres = 1e3 * across
-    for i, side in enumerate(("right", "left")):
-        first.plot(millimetres, np.degrees(angle[i]), label=side, **_line(i))
-        third.plot(millimetres, 1e-3 * wheels.wrench.normal_force[i], **_line(i))
-        for k, name in enumerate(("forward", "to the right")):
-            fourth.plot(millimetres, 1e-3 * wheels.wrench.force[i, :, k], color=COLOURS[i], linestyle=_STYLES[k], label=f"{side}, {name}")
+    for i, name in enumerate(("right", "left")):
+        first.plot(millimetres, np.degrees(angle[i]), label=name, **_line(i))
+        third.plot(millimetres, 1e-3 * wheels[i].wrench.normal_force, **_line(i))
+        for k, way in enumerate(("forward", "to the right")):
+            fourth.plot(millimetres, 1e-3 * wheels[i].wrench.force[:, k], color=COLOURS[i], linestyle=_STYLES[k], label=f"{name}, {way}")
     second.plot(millimetres, 1e3 * (radius[0] - radius[1]), color=COLOURS[2])
     _label(first, "", "contact angle [degrees]")
     first.legend()

@@ -37,32 +37,36 @@ structures = sorted(name for name in kstrip.dtypes if "patch" != name.removesuff
 
 @st.composite
 def records(draw):
-    """Records of a structure of the library, right or wrong: their bytes are anything, and so is their layout."""
-    kind = kstrip.dtypes[draw(st.sampled_from(structures))]
+    """Batches of a structure of the library, right or wrong: their bytes are anything, and so is their layout."""
+    name = draw(st.sampled_from(structures))
+    kind = kstrip.dtypes[name]
     shape = draw(shapes)
     size = int(np.prod(shape)) * kind.itemsize
     raw = np.frombuffer(draw(st.binary(min_size=16, max_size=64)) * (size // 16 + 2), np.uint8)
     made = raw[draw(st.integers(0, 7)) :][:size].view(kind).reshape(shape)
-    return draw(st.sampled_from([made, made.T, made.astype(kind.newbyteorder()), np.repeat(made[..., None], 2, -1)[..., ::2]]))
+    made = draw(st.sampled_from([made, made.T, np.repeat(made[..., None], 2, -1)[..., ::2]]))
+    values = kstrip.values.classes.get(name.removesuffix("_f32"))
+    return made if values is None else kstrip.Batch(values, made)
 
 
 @st.composite
 def sensible(draw, kind):
-    """Records whose members are numbers that mean something, now and then one that does not."""
+    """Values and batches whose members are numbers that mean something, now and then one that does not."""
     number = st.one_of(st.floats(-10.0, 10.0), st.floats(1e-3, 1.0), st.sampled_from([0.0, -0.0, 1e5, 8e10, np.nan, np.inf, 1e300]))
     made = np.zeros(draw(st.sampled_from([(), (1,), (3,), (2, 1), (2, 3)])), kstrip.dtypes[kind + draw(st.sampled_from(["", "", "_f32"]))])
     with np.errstate(over="ignore"):
         for member in made.dtype.names:
             made[member] = draw(number)
-    return made
+    batch = kstrip.Batch(kstrip.values.classes[kind], made)
+    return batch if made.ndim else batch[()]
 
 
 @st.composite
 def patches(draw):
     made = kstrip.patch_from_contact(kstrip.contact(a=6e-3, b=4e-3, normal_force=8e4, shear_modulus=8e10, poisson_ratio=0.28, friction=0.3))
     made["count"] = draw(st.integers(0, 2**32 - 1))
-    made["strips"][draw(st.integers(0, 63))][draw(st.sampled_from(["y", "width", "friction"]))] = draw(st.floats())
-    return made if draw(st.booleans()) else made.reshape((1,))
+    made.strips[draw(st.sampled_from(["y", "width", "friction"]))][draw(st.integers(0, 63))] = draw(st.floats())
+    return made if draw(st.booleans()) else kstrip.Batch(kstrip.Patch, [made])
 
 
 model = st.one_of(st.sampled_from(list(kstrip.models)), st.integers(), st.text(max_size=2), st.floats())

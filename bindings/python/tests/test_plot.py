@@ -1,5 +1,6 @@
 """The pictures: labelled axes with units, colours that stand out, the numbers of the library. Needs matplotlib."""
 
+import dataclasses
 import os
 import pathlib
 import sys
@@ -77,8 +78,7 @@ class Pictures(unittest.TestCase):
         plot.traction_map(pictures.CONTACT, kstrip.creepage(0.1))
         lifted = kstrip.wheel_position(lateral=-5e-3, vertical=-5e-3)
         plot.patch_on_profiles(pictures.RAIL, pictures.WHEEL, pictures.PAIR, lifted)
-        pair = pictures.PAIR.copy()
-        pair.left = 1
+        pair = dataclasses.replace(pictures.PAIR, left=1)
         mirrored = kstrip.wheel_position(lateral=5.2e-3)
         mirrored.vertical = kstrip.height_for_load(pictures.RAIL, pictures.WHEEL, pair, mirrored, 80e3)
         left = plot.patch_on_profiles(pictures.RAIL, pictures.WHEEL, pair, mirrored)

@@ -26,7 +26,7 @@ class OnTrack(unittest.TestCase):
         np.testing.assert_allclose(still.forces.wrench.force[::-1, 1], -still.forces.wrench.force[:, 1], atol=1.0)
         np.testing.assert_allclose(still.velocity.pitch, still.velocity.pitch[::-1], rtol=1e-9)
         again = kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity)
-        self.assertEqual(again.forces.tobytes(), still.forces.tobytes())
+        self.assertEqual(again.forces, still.forces)
         self.assertIsNone(again.by_position)
         self.assertEqual(again.derivatives.velocity.shape, (5, 10, 10))
 
@@ -36,10 +36,12 @@ class OnTrack(unittest.TestCase):
         found = kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity, by_position=True)
         for at in np.ndindex(2, 3):
             one = kstrip.wheelset_settle(WHEELSET, TRACK, starts[at[1]], ROLLING, loads[at[0], 0])
-            self.assertEqual(still.position[at].tobytes() + still.forces[at].tobytes(), one.position.tobytes() + one.forces.tobytes())
+            self.assertEqual((still.position[at], still.forces[at]), (one.position, one.forces))
             single = kstrip.wheelset_on_track(WHEELSET, TRACK, one.position, one.velocity, by_position=True)
-            for many, alone in zip(found, single):
-                self.assertEqual(many[at].tobytes(), alone.tobytes())
+            for name in ("forces", "derivatives", "by_position"):
+                self.assertEqual(getattr(found, name)[at], getattr(single, name))
+            for side in ("right", "left"):
+                self.assertEqual(getattr(found, side).contacts[at][: single.forces.wheel.contacts[0]], getattr(single, side).contacts)
 
     def test_derivatives_are_those_of_differences(self):
         still = kstrip.wheelset_settle(WHEELSET, TRACK, kstrip.wheel_position(lateral=1e-3), ROLLING, 160e3)
@@ -68,8 +70,47 @@ class OnTrack(unittest.TestCase):
         np.testing.assert_allclose(differences, -differences[::-1], atol=2e-6)
         found = kstrip.equivalent_conicity(shifts, differences, [1e-3, 3e-3])
         self.assertTrue(0.1 < found.conicity[1] < 0.25, found)
+        # Radii that do not differ within the motion do not steer, and one amplitude does not lose the others
+        dead = np.where(abs(shifts) < 2e-3, 0.0, np.sign(shifts) * (abs(shifts) - 2e-3))
+        straight = kstrip.equivalent_conicity(shifts, dead, [1e-3, 3e-3, 0.1], on_error="nan")
+        self.assertEqual((straight.conicity[0], straight.wave_length[0], straight.statuses.tolist()), (0.0, np.inf, [0, 0, kstrip.constants["KSTRIP_ERROR_CONICITY"]]))
+        self.assertTrue(straight.conicity[1] > 0.0 and np.isnan(straight.conicity[2]))
+        with self.assertRaisesRegex(kstrip.KstripError, "at index 2") as caught:
+            kstrip.equivalent_conicity(shifts, dead, [1e-3, 3e-3, 0.1])
+        self.assertEqual(caught.exception.results.conicity[1], straight.conicity[1])
         # Klingel
         np.testing.assert_allclose(found.wave_length, 2 * np.pi * np.sqrt(0.46 * 0.75 / found.conicity), rtol=1e-6)
+
+    def test_each_wheel_has_its_contacts_and_their_power(self):
+        """The wheels of a wheelset that yaws and rolls over rails that move."""
+        moves = kstrip.wheel_velocity(forward=20.0, pitch=-43.3, yaw=0.05, roll=0.02, lateral=0.1, vertical=0.01)
+        track = kstrip.Track(scene.RAIL, gauge=1.435, motion=kstrip.rail_motion(lateral_velocity=[1e-3, 2e-3], vertical_velocity=[-1e-4, 3e-4]))
+        starts = kstrip.wheel_position(lateral=[4e-3, 5e-3], yaw=0.01)
+        still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, moves, 100e3)
+        on = kstrip.wheelset_on_track(WHEELSET, track, still.position, moves)
+        for i, side in enumerate((on.right, on.left)):
+            np.testing.assert_allclose(side.wrenches.dissipation.sum(axis=-1), on.forces.wheel.dissipation[:, i], rtol=1e-12)
+            np.testing.assert_allclose(side.wrenches.force.sum(axis=-2), on.forces.wheel.force[:, i], rtol=1e-9, atol=1e-6)
+            self.assertTrue((side.t_gamma > 1.0).all() and side.creepages.shape == side.contacts.shape)
+        one = kstrip.wheelset_on_track(WHEELSET, track, still.position[1], moves)
+        self.assertEqual((one.right.contacts, one.right.velocity), (on.right.contacts[1, : len(one.right.contacts)], on.right.velocity[1]))
+        track.motion = None
+        self.assertNotEqual(one.track.motion, None)
+
+    def test_one_wheelset_does_not_lose_the_others(self):
+        starts = kstrip.wheel_position(lateral=np.linspace(-8e-3, 8e-3, 81))
+        still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, 100e3, on_error="nan")
+        failed = still.statuses < 0
+        self.assertTrue(0 < failed.sum() < 20, failed.sum())
+        np.testing.assert_array_equal(np.isnan(still.position.vertical), failed)
+        np.testing.assert_allclose(still.forces.rail[~failed][:, :, 2].sum(axis=-1), 100e3, rtol=1e-6)
+        with self.assertRaises(kstrip.KstripError) as caught:
+            kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, 100e3)
+        self.assertEqual((caught.exception.index, caught.exception.results), ((int(np.argmax(failed)),), still))
+        shifts = [0.0, 0.2, 1e-3]
+        statuses = np.zeros(3, np.int32)
+        differences = kstrip.rolling_radius_difference(WHEELSET, TRACK, shifts, on_error="nan", statuses=statuses)
+        self.assertEqual((np.isnan(differences).tolist(), (statuses < 0).tolist()), ([False, True, False], [False, True, False]))
 
     def test_balance_speed_has_no_lateral_weight(self):
         speed = np.sqrt(9.80665 * 300.0 * np.tan(0.1))
@@ -82,14 +123,14 @@ class OnTrack(unittest.TestCase):
         place = kstrip.wheel_position(lateral=[0.0, 0.0, 0.0])
         with self.assertRaisesRegex(kstrip.KstripError, "GAUGE"):
             kstrip.wheelset_on_track(WHEELSET, kstrip.Track(scene.RAIL), place, ROLLING)
-        with self.assertRaisesRegex(ValueError, r"start \(3,\), velocity \(\), loads \(2,\)"):
+        with self.assertRaisesRegex(ValueError, r"start \(3,\), vertical \(2,\)"):
             kstrip.wheelset_settle(WHEELSET, TRACK, place, ROLLING, [1e5, 1e5])
         with self.assertRaisesRegex(kstrip.KstripError, "at index 1"):
             kstrip.wheelset_settle(WHEELSET, TRACK, place[:2], ROLLING, [1e5, -1e5])
-        with self.assertRaisesRegex(TypeError, "kstrip.Wheelset and a kstrip.Track"):
+        with self.assertRaisesRegex(TypeError, "wheelset: a kstrip.Wheelset is needed, not Track"):
             kstrip.wheelset_on_track(TRACK, WHEELSET, place, ROLLING)
-        with self.assertRaisesRegex(ValueError, r"motion has two elements"):
-            kstrip.Track(scene.RAIL, gauge=1.435, motion=kstrip.rail_motion())
+        with self.assertRaisesRegex(ValueError, r"motion: two elements are needed"):
+            kstrip.wheelset_on_track(WHEELSET, kstrip.Track(scene.RAIL, gauge=1.435, motion=kstrip.rail_motion()), place[0], ROLLING)
 
 
 if __name__ == "__main__":

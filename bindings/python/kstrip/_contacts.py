@@ -1,0 +1,129 @@
+"""The contacts of wheels: how they move, and what acts in each."""
+
+from __future__ import annotations
+
+import functools
+import math
+import sys
+from itertools import repeat
+from typing import TYPE_CHECKING, Any, Optional
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ._batch import Batch
+from ._calls import Elements, optional
+from ._inputs import Many, is_single
+from ._library import dtype_of
+from .values import Creepage, Friction, Motion, WheelContact, WheelPair, WheelVelocity, Wrench
+
+
+@functools.lru_cache
+def _lists(dtype: np.dtype[Any]) -> tuple[int, int, list[tuple[int, int, int]]]:
+    """Of a contact its size, where the number of its strips is, and of each list of strips where it begins, the distance of two, and its end [bytes]."""
+    fields, patch = dict(dtype.fields or {}), dtype["patch"]
+    inner, at = dict(patch.fields or {}), fields["patch"][1]
+    places = [(at + inner["strips"][1], inner["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_y", "strip_z", "strip_angle"))]
+    return dtype.itemsize, at + inner["count"][1], [(begin, kind.base.itemsize, begin + kind.itemsize) for begin, kind in places]
+
+
+class KeptContacts:
+    """Collects the contacts that the calls for wheels leave in a workspace."""
+
+    def __init__(self, space: NDArray[np.void]):
+        self._dtype, self._count = space["contacts"].dtype, space["count"]
+        self._memory = space["contacts"].view(np.uint8).data
+        self._parts: list[bytearray] = []
+
+    def __call__(self, status: int) -> None:
+        """Takes the contacts of a wheel, after the call with this status."""
+        size, count_at, lists = _lists(self._dtype)
+        kept = bytearray(self._memory[: size * int(self._count) if status >= 0 else 0])
+        for first in range(0, len(kept), size):
+            # The library does not write the strips that a contact does not use.
+            used = int.from_bytes(kept[first + count_at : first + count_at + 4], sys.byteorder)
+            for begin, distance, end in lists:
+                kept[first + begin + used * distance : first + end] = bytes(end - begin - used * distance)
+        self._parts.append(kept)
+
+    def batch(self, elements: Elements) -> Batch[WheelContact]:
+        """The contacts of one wheel; or of many, with zeros behind those of a wheel that has fewer than another one."""
+        most = max(map(len, self._parts), default=0)
+        data = bytearray().join(part.ljust(most, b"\0") for part in self._parts)
+        shape = (*elements.shape, most // self._dtype.itemsize)
+        return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
+
+
+def wheel_motion(contacts: Many[WheelContact], velocity: Many[WheelVelocity], on_error: str = "raise") -> Any:
+    """Slip, spin rate and rolling speed at contacts of wheels, for solve_motion(); contacts and velocity broadcast.
+
+    Slip and spin rate divided by the rolling speed are the creepages: WheelOnRail has them as `creepages`.
+
+    >>> position, velocity = kstrip.wheel_position(lateral=-6e-3, vertical=0.0), kstrip.wheel_velocity(forward=20.0, pitch=-43.3)
+    >>> on = kstrip.wheel_on_rail(rail, wheel, pair, position, velocity)
+    >>> print(kstrip.wheel_motion(on.contacts, velocity).slip_x.round(3))
+    [0.023]
+    """
+    elements = Elements(is_single(contacts, velocity), on_error, contacts=(WheelContact, contacts), velocity=(WheelVelocity, velocity))
+    made, places = elements.out("motion")
+    found = elements.run("kstrip_wheel_motion", *elements.columns.values(), places)
+    statuses = elements.statuses(found, made)
+    return elements.report(elements.result(Motion, made, statuses), statuses)
+
+
+class OfContacts:
+    """What acts in each contact of wheels, for results that have contacts, pair, velocity and friction."""
+
+    __slots__ = ()
+    if TYPE_CHECKING:
+        wrench: Many[Wrench]
+        contacts: Batch[WheelContact]
+        pair: Many[WheelPair]
+        velocity: Many[WheelVelocity]
+        friction: Optional[Many[Friction]]
+
+    @property
+    def counts(self) -> Any:
+        """Number of contacts of each wheel."""
+        return self.wrench.contacts
+
+    @property
+    def creepages(self) -> Batch[Creepage]:
+        """The creepages of each contact: slip velocities and spin rate divided by the rolling speed, as in solve_motion(). Shape as `contacts`."""
+        motion, speed = self._motion()
+        data = np.zeros(motion.shape, dtype_of("creepage", is_single(motion)))
+        for name, part in zip(Creepage.__match_args__, ("slip_x", "slip_y", "spin_rate")):
+            np.divide(motion[part], speed, out=data[name], where=speed > 0.0)
+        return Batch(Creepage, data)
+
+    @property
+    def wrenches(self) -> Batch[Wrench]:
+        """Force and moment on the wheel by each contact alone, and its dissipation [W]. Shape as `contacts`."""
+        contacts = self.contacts
+        velocity, friction = (_each(value) for value in (self.velocity, self.friction))
+        models = np.broadcast_to(np.asarray(self.pair.model)[..., None], contacts.shape).ravel().tolist()
+        elements = Elements(is_single(contacts), "nan", contacts=(WheelContact, contacts), velocity=(WheelVelocity, velocity), friction=optional(Friction, friction))
+        made, places = elements.out("wrench")
+        columns = elements.columns
+        found = elements.run("kstrip_wrench_from_contacts", columns["contacts"], repeat(1), columns["velocity"], models, columns["friction"],
+                             places, repeat(None))
+        made[contacts.normal_force == 0.0] = np.zeros((), made.dtype)
+        return Batch(Wrench, made, np.reshape(np.array(found, np.int32), made.shape))
+
+    @property
+    def t_gamma(self) -> NDArray[np.float64]:
+        """Frictional power of each contact divided by its rolling speed [N]. Shape as `contacts`."""
+        _, speed = self._motion()
+        found = np.zeros(speed.shape)
+        np.divide(self.wrenches.dissipation, speed, out=found, where=speed > 0.0)
+        return found
+
+    def _motion(self) -> tuple[Batch[Motion], NDArray[np.float64]]:
+        """Motion and speed at each contact."""
+        motion = wheel_motion(self.contacts, _each(self.velocity))
+        return motion, np.hypot(motion.rolling_speed, motion.floor_speed)
+
+
+def _each(value: Any) -> Any:
+    """Values of wheels as those of each of their contacts."""
+    return value[..., None] if isinstance(value, Batch) else value
