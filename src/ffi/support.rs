@@ -1,47 +1,13 @@
-//! Shared helpers of the exported functions, and the names that these use.
+//! Shared helpers of the exported functions.
 
-pub(super) use super::constants::*;
-pub(super) use super::types::*;
-pub(super) use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
-pub(super) use crate::contact::hertz::{HertzContact, Radii};
-pub(super) use crate::contact::material::{self, CombinedMaterial, Material};
-pub(super) use crate::contact::totals::StripCount;
-pub(super) use crate::contact::{Contact, from_approach, from_hertz};
-pub(super) use crate::forces::derivatives::Derivatives;
-pub(super) use crate::forces::field::FieldPoint;
-pub(super) use crate::forces::prepared::Prepared;
-pub(super) use crate::forces::theory::{
-    EllipseStrips, Linear, Strip1967, Theory, Total, solution_of, write_forces,
-};
-pub(super) use crate::forces::{self, Model, Options, Solution, StripResult};
-pub(super) use crate::friction::derivatives::{LawDerivatives, differentiate_with_law};
-pub(super) use crate::friction::field::LawField;
-pub(super) use crate::friction::{self, SlipFriction};
-pub(super) use crate::linear::LinearCoefficients;
-pub(super) use crate::motion::{self, Motion};
-pub(super) use crate::normal::Indentation;
-pub(super) use crate::number::{Float, are_finite};
-pub(super) use crate::patch::PatchStrip;
-pub(super) use crate::patch::field::PatchField;
-pub(super) use crate::rig::fit::{FrictionFit, MeasuredForce};
-pub(super) use crate::rig::{self, FrictionEstimate, Measured};
-pub(super) use crate::status::{Error, Warning, kstrip_status};
-pub(super) use crate::wheel_rail::contacts::{self, WheelContact};
-pub(super) use crate::wheel_rail::forces::wrench::{
-    self, Wrench, WrenchByPosition, WrenchDerivatives,
-};
-pub(super) use crate::wheel_rail::profile::PreparedProfile;
-pub(super) use crate::wheel_rail::scene::Workspace;
-pub(super) use crate::wheel_rail::touch::{Gap, GapSearch};
-pub(super) use crate::wheel_rail::{
-    BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, Velocity, WheelPair,
-};
-pub(super) use crate::wheelset::forces::{
-    WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
-};
-pub(super) use crate::wheelset::settle::WheelsetLoads;
-pub(super) use crate::wheelset::track::Curve;
-pub(super) use core::mem::MaybeUninit;
+use super::constants::KSTRIP_MODEL_DEFAULT;
+use super::types::kstrip_options;
+use crate::contact::totals::StripCount;
+use crate::forces::{Model, Options, Solution};
+use crate::number::Float;
+use crate::status::{Error, Warning, kstrip_status};
+use crate::wheel_rail::Requested;
+use core::mem::MaybeUninit;
 
 /// Runs a function that may fail, and returns its status.
 #[inline]

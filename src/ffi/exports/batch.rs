@@ -2,7 +2,13 @@
 
 use super::F;
 use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::ffi::support::{answer, for_forces, given, is_aligned, put, read};
+use crate::ffi::types::{BatchInputs, BatchOutputs, kstrip_options};
+use crate::forces::Solution;
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
 ///

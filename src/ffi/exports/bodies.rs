@@ -1,7 +1,13 @@
 //! Bodies: materials, Hertz's ellipse and its inverse, Kalker's coefficients.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::hertz::{HertzContact, Radii};
+use crate::contact::material::{self, CombinedMaterial, Material};
+use crate::contact::{Contact, from_approach, from_hertz};
+use crate::ffi::support::{fill, fill_warned, given, place, put};
+use crate::linear::LinearCoefficients;
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// Combine the elastic constants of two bodies. From Young's modulus: shear_modulus = E/(2 (1 +
 /// poisson_ratio)).

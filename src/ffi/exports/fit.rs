@@ -1,7 +1,15 @@
 //! Test rigs: a law of friction from a measured creep curve.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::ffi::constants::KSTRIP_FIT_LAYER;
+use crate::ffi::support::{answer, for_forces, given, input, put};
+use crate::ffi::types::kstrip_options;
+use crate::friction::SlipFriction;
+use crate::rig;
+use crate::rig::fit::{FrictionFit, MeasuredForce};
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// The law of friction that comes nearest to a measured creep curve.
 ///

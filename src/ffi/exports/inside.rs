@@ -1,7 +1,16 @@
 //! Inside the contact: pressure, traction, slip at points.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::ffi::support::{answer, for_strips, given, input, output};
+use crate::ffi::types::kstrip_options;
+use crate::forces::field::FieldPoint;
+use crate::friction::SlipFriction;
+use crate::friction::field::LawField;
+use crate::number::are_finite;
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// Pressure, traction, slip and state over a grid; one point is a grid of one.
 ///

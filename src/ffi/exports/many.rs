@@ -1,10 +1,23 @@
 //! Many wheels and many wheelsets in one call, for sweeps and tables.
 
-use super::F;
 use super::{
-    kstrip_height_for_load, kstrip_wheel_on_rail, kstrip_wheelset_on_track, kstrip_wheelset_settle,
+    F, kstrip_height_for_load, kstrip_wheel_on_rail, kstrip_wheelset_on_track,
+    kstrip_wheelset_settle,
 };
-use crate::ffi::support::*;
+use crate::ffi::support::{Strided, answer, each_element, element, given};
+use crate::ffi::types::{Track, WheelsetParts};
+use crate::friction::SlipFriction;
+use crate::patch::PatchStrip;
+use crate::status::{Error, kstrip_status};
+use crate::wheel_rail::contacts::WheelContact;
+use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
+use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::scene::Workspace;
+use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+use crate::wheelset::forces::{
+    WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
+};
+use crate::wheelset::settle::WheelsetLoads;
 
 /// kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
 /// Several threads may each compute a part, with a workspace of their own.

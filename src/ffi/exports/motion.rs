@@ -1,7 +1,13 @@
 //! Motion: creepages from velocities, Kalker's parameters.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
+use crate::ffi::support::{fill, given};
+use crate::ffi::types::KalkerParameters;
+use crate::number::are_finite;
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// Creepages from the velocities of both bodies: (upper - lower)/rolling_speed.
 ///

@@ -2,11 +2,21 @@
 
 use super::F;
 use super::inside::FieldGrid;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::ffi::support::{answer, fill, for_strips, given, input, put, strip_count};
+use crate::ffi::types::{Outputs, PatchSummary, ProfileOptions, ProfilePoints, kstrip_options};
+use crate::forces::field::FieldPoint;
+use crate::friction::SlipFriction;
 use crate::normal::cells::{CELLS, Cells, Given};
-use crate::normal::{Profile, ProfileContact};
-use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchView, QuadratureScale, solver};
-use crate::patch::{check_ellipse, ellipse};
+use crate::normal::{Indentation, Profile, ProfileContact};
+use crate::patch::field::PatchField;
+use crate::patch::{
+    self, KSTRIP_PATCH_CAPACITY, Patch, PatchStrip, PatchView, QuadratureScale, StoredPatch,
+    check_ellipse, ellipse, solver,
+};
+use crate::status::{Error, Warning, kstrip_status};
+use core::mem::MaybeUninit;
 use heapless::Vec;
 
 /// The patch of two profiles under a load, or at an approach.

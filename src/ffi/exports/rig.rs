@@ -1,7 +1,15 @@
 //! Test rigs: friction from a measured force, creepage from a requested one.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::ffi::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY};
+use crate::ffi::support::{fill_warned, for_forces, given};
+use crate::ffi::types::kstrip_options;
+use crate::friction::SlipFriction;
+use crate::rig::{self, FrictionEstimate, Measured};
+use crate::status::{Error, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// Both force components were measured.
 const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;

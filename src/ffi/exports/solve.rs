@@ -1,7 +1,24 @@
 //! Solve: forces, derivatives, strips of one contact.
 
 use super::F;
-use crate::ffi::support::*;
+use crate::contact::Contact;
+use crate::contact::creepage::Creepage;
+use crate::ffi::support::{
+    Output, answer, fill, for_forces, for_strips, given, given_by, output, place, put,
+    put_by_halves, solved, strip_count,
+};
+use crate::ffi::types::{MotionOutputs, Outputs, kstrip_options};
+use crate::forces::derivatives::Derivatives;
+use crate::forces::prepared::Prepared;
+use crate::forces::theory::{
+    EllipseStrips, Linear, Strip1967, Theory, Total, solution_of, write_forces,
+};
+use crate::forces::{self, Options, Solution, StripResult};
+use crate::friction::derivatives::{LawDerivatives, differentiate_with_law};
+use crate::friction::{self, SlipFriction};
+use crate::motion::{self, Motion};
+use crate::status::{Error, Warning, kstrip_status};
+use core::mem::MaybeUninit;
 
 /// Forces of a contact in motion, on the lower body: the fast path.
 ///

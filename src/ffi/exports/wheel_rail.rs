@@ -1,9 +1,23 @@
 //! Wheel on rail: from two profiles and a position to the forces on the wheel.
 
 use super::F;
-use crate::ffi::support::*;
-use crate::wheel_rail::forces::wrench::Law;
-use crate::wheel_rail::scene::Scene;
+use crate::ffi::support::{
+    answer, fill, for_strips, given, input, put, strip_count, with_requested,
+};
+use crate::ffi::types::kstrip_options;
+use crate::forces::Model;
+use crate::friction::SlipFriction;
+use crate::motion::Motion;
+use crate::number::{Float, are_finite};
+use crate::patch::StoredPatch;
+use crate::status::{Error, Warning, kstrip_status};
+use crate::wheel_rail::contacts::{self, WheelContact};
+use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::scene::{Scene, Workspace};
+use crate::wheel_rail::touch::{Gap, GapSearch};
+use crate::wheel_rail::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+use core::mem::MaybeUninit;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
 ///

@@ -2,11 +2,23 @@
 
 use super::F;
 use super::wheel_rail::{fits, scene_of};
-use crate::ffi::support::*;
+use crate::ffi::support::{
+    answer, each_element, element, fill, fill_warned, given, input, place, put, with_requested,
+};
+use crate::ffi::types::{Track, WheelsetParts};
+use crate::number::{Float, are_finite};
+use crate::status::{Error, Warning, kstrip_status};
+use crate::wheel_rail::forces::wrench::WrenchDerivatives;
+use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::{BodyState, Position, Velocity, WheelPair};
 use crate::wheelset::conicity::{RadiusDifference, check_circles};
-use crate::wheelset::forces::Wheelset;
+use crate::wheelset::forces::{
+    Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
+};
 use crate::wheelset::kinematics::Side;
-use crate::wheelset::track::{RailMotion, gauge_face};
+use crate::wheelset::settle::WheelsetLoads;
+use crate::wheelset::track::{Curve, RailMotion, gauge_face};
+use core::mem::MaybeUninit;
 
 /// From the back of a flange to the running circle of its wheel \[m\].
 const CIRCLE_FROM_BACK: F = 70e-3;
