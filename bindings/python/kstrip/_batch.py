@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _show
-from ._library import dtype_of, dtypes
+from ._library import dtypes
 from ._value import Value
 from .values import classes
 
@@ -122,7 +122,7 @@ def _numbers_of(members: tuple[Any, ...]) -> list[Any]:
         if isinstance(member, (float, int)):
             numbers.append(member)
         else:
-            numbers.extend(np.ravel(member).tolist())
+            numbers.extend(np.asarray(member).ravel().tolist())
     return numbers
 
 
@@ -164,10 +164,10 @@ class Batch(Generic[V]):
     statuses: Optional[Statuses]
 
     def __init__(self, kind: type[V], data: Union[NDArray[np.void], Sequence[V]], statuses: Optional[Statuses] = None):
-        double, single = dtype_of(kind._structure, False), dtype_of(kind._structure, True)
+        double = dtypes[kind._structure]
         if not isinstance(data, np.ndarray):
             data = np.array([layout_of(kind).array(value) for value in data], double)
-        elif data.dtype not in (double, single):
+        elif data.dtype is not double and data.dtype not in (double, dtypes[f"{kind._structure}_f32"]):
             raise TypeError(f"Batch: data is an array of structures {kind.__name__}, not of {data.dtype}")
         object.__setattr__(self, "kind", kind)
         object.__setattr__(self, "data", data)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 import sys
 from itertools import repeat
@@ -18,40 +17,55 @@ from ._library import dtype_of
 from .values import Creepage, Friction, Motion, WheelContact, WheelPair, WheelVelocity, Wrench
 
 
-@functools.lru_cache
-def _lists(dtype: np.dtype[Any]) -> tuple[int, int, list[tuple[int, int, int]]]:
-    """Of a contact its size, where the number of its strips is, and of each list of strips where it begins, the distance of two, and its end [bytes]."""
-    fields, patch = dict(dtype.fields or {}), dtype["patch"]
-    inner, at = dict(patch.fields or {}), fields["patch"][1]
-    places = [(at + inner["strips"][1], inner["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_y", "strip_z", "strip_angle"))]
-    return dtype.itemsize, at + inner["count"][1], [(begin, kind.base.itemsize, begin + kind.itemsize) for begin, kind in places]
+class _Lists:
+    """Where a contact has the number of its strips and its lists of strips [bytes]."""
+
+    def __init__(self, contact: np.dtype[Any]):
+        fields, patch = dict(contact.fields or {}), dict(contact["patch"].fields or {})
+        at = fields["patch"][1]
+        self.size, self.count_at = contact.itemsize, at + patch["count"][1]
+        lists = [(at + patch["strips"][1], patch["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_y", "strip_z", "strip_angle"))]
+        #: of each list where it begins, the distance of two elements, and where it ends
+        self.places = [(begin, kind.base.itemsize, begin + kind.itemsize) for begin, kind in lists]
+
+
+_lists = {single: _Lists(dtype_of("wheel_contact", single)) for single in (False, True)}
 
 
 class KeptContacts:
     """Collects the contacts that the calls for wheels leave in a workspace."""
 
-    def __init__(self, space: NDArray[np.void]):
-        self._dtype, self._count = space["contacts"].dtype, space["count"]
-        self._memory = space["contacts"].view(np.uint8).data
-        self._parts: list[bytearray] = []
+    def __init__(self, space: NDArray[np.void], single: bool):
+        self._lists, self._dtype = _lists[single], dtype_of("wheel_contact", single)
+        self._memory, self._count = space["contacts"].view(np.uint8).data, space["count"]
+        self.parts: list[bytearray] = []
 
     def __call__(self, status: int) -> None:
         """Takes the contacts of a wheel, after the call with this status."""
-        size, count_at, lists = _lists(self._dtype)
+        size, count_at = self._lists.size, self._lists.count_at
         kept = bytearray(self._memory[: size * int(self._count) if status >= 0 else 0])
         for first in range(0, len(kept), size):
             # The library does not write the strips that a contact does not use.
             used = int.from_bytes(kept[first + count_at : first + count_at + 4], sys.byteorder)
-            for begin, distance, end in lists:
+            for begin, distance, end in self._lists.places:
                 kept[first + begin + used * distance : first + end] = bytes(end - begin - used * distance)
-        self._parts.append(kept)
+        self.parts.append(kept)
 
     def batch(self, elements: Elements) -> Batch[WheelContact]:
         """The contacts of one wheel; or of many, with zeros behind those of a wheel that has fewer than another one."""
-        most = max(map(len, self._parts), default=0)
-        data = bytearray().join(part.ljust(most, b"\0") for part in self._parts)
+        most = max(map(len, self.parts), default=0)
+        data = bytearray().join(part.ljust(most, b"\0") for part in self.parts)
         shape = (*elements.shape, most // self._dtype.itemsize)
         return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
+
+
+def contacts_in(space: NDArray[np.void], wanted: bool) -> Batch[WheelContact]:
+    """The contacts of one wheel in a workspace; none if they are not wanted."""
+    if not wanted:
+        return Batch(WheelContact, np.zeros(0, dtype_of("wheel_contact", False)))
+    kept = KeptContacts(space, False)
+    kept(0)
+    return Batch(WheelContact, np.frombuffer(kept.parts[0], dtype_of("wheel_contact", False)))
 
 
 def wheel_motion(contacts: Many[WheelContact], velocity: Many[WheelVelocity], on_error: str = "raise") -> Any:

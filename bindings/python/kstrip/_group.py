@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
 
@@ -11,24 +11,40 @@ from ._batch import Batch
 from ._value import Brief, Value
 
 
+G = TypeVar("G", bound="Group")
+
+
 class Group(metaclass=Brief):
     """Several values together; its members are attributes."""
 
     __slots__ = ()
-    __match_args__: ClassVar[tuple[str, ...]] = ()
+    if TYPE_CHECKING:
+        #: the members, set by dataclass
+        __dataclass_fields__: ClassVar[dict[str, Any]] = {}
     #: units of members that are numbers
     _units: ClassVar[dict[str, str]] = {}
 
     def __eq__(self, other: object) -> bool:
         if type(other) is not type(self):
             return NotImplemented
-        return all(_same(getattr(self, name), getattr(other, name)) for name in self.__match_args__)
+        return all(_same(getattr(self, name), getattr(other, name)) for name in self._names())
 
     __hash__ = None  # type: ignore[assignment]
 
+    @classmethod
+    def _names(cls) -> list[str]:
+        return [name for name in cls.__dataclass_fields__ if not name.startswith("_")]
+
+    def _copy(self: G) -> G:
+        """An object with the same members."""
+        made = object.__new__(type(self))
+        for name in self.__dataclass_fields__:
+            setattr(made, name, getattr(self, name))
+        return made
+
     def _shown(self) -> list[tuple[str, str, str]]:
         """Name, numbers and unit of each member."""
-        members = [(name, getattr(self, name)) for name in self.__match_args__]
+        members = [(name, getattr(self, name)) for name in self._names()]
         return [(name, repr(value) if isinstance(value, (Value, Batch, Group)) else _show.number(value), self._units.get(name, "")) for name, value in members]
 
     def __repr__(self) -> str:

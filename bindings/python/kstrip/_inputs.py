@@ -34,6 +34,8 @@ def numbers(value: ArrayLike, what: str) -> Plain:
 
 def number(value: Any, what: str) -> float:
     """One real number."""
+    if type(value) is float:
+        return value
     array = numbers(value, what)
     if array.size != 1:
         raise ValueError(f"{what}: one number is needed, and this has the shape {array.shape}")
@@ -80,9 +82,17 @@ def make(kind: type[V], dtype: DTypeLike, shared: Mapping[str, Any] = MappingPro
 
 def is_single(*arguments: Any) -> bool:
     """Whether all arguments with a precision have single precision; a value has the precision of the arguments beside it."""
-    singles = [a.data.dtype == dtype_of(a.kind._structure, True) if isinstance(a, Batch) else a.single
-               for a in arguments if a is not None and not isinstance(a, Value) and hasattr(a, "single" if not isinstance(a, Batch) else "data")]
-    return bool(singles) and all(singles)
+    found = False
+    for argument in arguments:
+        if isinstance(argument, Batch):
+            found = bool(argument.data.dtype == dtype_of(argument.kind._structure, True))
+        elif isinstance(argument, Value) or not hasattr(argument, "single"):
+            continue
+        else:
+            found = argument.single
+        if not found:
+            break
+    return found
 
 
 def _described(value: Any) -> str:
@@ -104,6 +114,13 @@ def wrong(argument: str, kind: type[Value], value: Any) -> TypeError:
     """The error for an argument of another class."""
     maker = _MAKERS.get(kind._structure, f"{kind._structure}({', '.join(kind.__match_args__)})")
     return TypeError(f"{argument}: a {kind.__name__}, or a Batch of them, is needed: make it with kstrip.{maker}; this is {_described(value)}")
+
+
+def check(**arguments: tuple[Any, Any]) -> None:
+    """Whether arguments are values of their class, or None where that is their class."""
+    for name, (kind, value) in arguments.items():
+        if kind is not None and type(value) is not kind:
+            raise wrong(name, kind, value)
 
 
 def array_of(argument: str, kind: type[V], value: Any, single: bool) -> Plain:

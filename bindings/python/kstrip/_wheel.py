@@ -10,11 +10,12 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ._batch import Batch
-from ._calls import Elements, call, memory, optional, zeros
-from ._contacts import KeptContacts, OfContacts
+from ._calls import Elements, Space, are_values, call, call_for_values, copy_of, memory, optional, zeros
+from ._contacts import KeptContacts, OfContacts, contacts_in
 from ._group import Group
-from ._inputs import Many, count_of, floats, is_single, number, precision
+from ._inputs import Many, check, count_of, floats, is_single, number, precision
 from ._library import dtype_of
+from ._status import report
 from .values import Friction, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
 
 
@@ -126,12 +127,12 @@ class WheelOnRail(OfContacts, Group):
     statuses: Any
 
 
-def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any], Any, Any]:
-    """Elements, the columns of rail and wheel, and the workspace with its address."""
+def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any], Space]:
+    """Elements, the columns of rail and wheel, and the workspace."""
     single = is_single(rail, wheel, friction, *(value for _, value in given.values()))
     profiles = [repeat(prepared("rail", rail, single)), repeat(prepared("wheel", wheel, single))]
     elements = Elements(single, on_error, **given, friction=optional(Friction, friction))
-    return elements, profiles, *memory.workspace("wheel_workspace", single)
+    return elements, profiles, memory.of("wheel_workspace", single)
 
 
 def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition],
@@ -153,17 +154,33 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     >>> print(f"creepage {100 * on.creepages[0].longitudinal:.2f} %, T-gamma {on.t_gamma[0]:.0f} N")
     creepage -0.25 %, T-gamma 51 N
     """
-    elements, profiles, space, place = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
-                                                 velocity=(WheelVelocity, velocity))
+    if on_error == "raise" and are_values(pair, position, velocity, friction) and not is_single(rail):
+        return _one_wheel(rail, wheel, pair, position, velocity, friction, by_position, contacts)
+    elements, profiles, space = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                          velocity=(WheelVelocity, velocity))
     (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
     moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
-    kept = KeptContacts(space)
-    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), repeat(place), first, second, third, after=kept if contacts else None)
+    kept = KeptContacts(space.array, elements.single)
+    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), repeat(space.address), first, second, third, after=kept if contacts else None)
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
                        None if moved is None else elements.result(WrenchByPosition, moved, statuses), kept.batch(elements),
                        elements.given("pair"), elements.given("position"), elements.given("velocity"), elements.given("friction"), statuses)
     return elements.report(made, statuses)
+
+
+def _one_wheel(rail: PreparedProfile, wheel: PreparedProfile, pair: Any, position: Any, velocity: Any, friction: Any, by_position: bool,
+               contacts: bool) -> WheelOnRail:
+    """One wheel in double precision."""
+    check(pair=(WheelPair, pair), position=(WheelPosition, position), velocity=(WheelVelocity, velocity), friction=optional(Friction, friction))
+    space = memory.of("wheel_workspace", False)
+    status, (wrench, slopes, moved) = call_for_values(
+        "kstrip_wheel_on_rail", (prepared("rail", rail, False), prepared("wheel", wheel, False), pair, position, velocity, friction), space,
+        Wrench, WrenchDerivatives, WrenchByPosition if by_position else None)
+    made = WheelOnRail(wrench, slopes, moved, contacts_in(space.array, contacts), copy_of(pair), copy_of(position), copy_of(velocity),
+                       copy_of(friction), status)
+    report(status)
+    return made
 
 
 def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition], support: ArrayLike,
@@ -180,10 +197,10 @@ def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Wh
     >>> print(1e3 * positions.vertical.round(5))
     [0.29 0.23 0.1 ]
     """
-    elements, profiles, _, place = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
-                                             support=(float, support), velocity=optional(WheelVelocity, velocity))
+    elements, profiles, space = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                          support=(float, support), velocity=optional(WheelVelocity, velocity))
     heights, places = elements.real()
-    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), repeat(place), places)
+    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), repeat(space.address), places)
     told = elements.statuses(found, heights)
     if statuses is not None:
         statuses[...] = told

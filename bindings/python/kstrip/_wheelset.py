@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import ctypes
 import struct
 from dataclasses import KW_ONLY, dataclass
@@ -13,11 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._batch import Batch
-from ._calls import Elements, call, memory
-from ._contacts import KeptContacts, OfContacts
+from ._calls import Elements, are_values, call, call_for_values, copy_of, memory
+from ._contacts import KeptContacts, OfContacts, contacts_in
 from ._group import Group
-from ._inputs import Many, array_of, count_of, floats, is_single, make, number, one
+from ._inputs import Many, array_of, check, count_of, floats, is_single, make, number, one
 from ._library import dtype_of
+from ._status import report
 from ._wheel import PreparedProfile, prepared
 from .values import (
     Curve,
@@ -103,8 +103,8 @@ class Track(Group):
         """The structure of the C library for one call, and what holds the memory to which it points."""
         left = None if self.left_rail is None else prepared("left_rail", self.left_rail, single)
         points = _Two(prepared("rail", self.rail, single), left)
-        if np.shape(self.origin) != (2,):
-            raise ValueError(f"origin: two numbers are needed, right and left, and this has the shape {np.shape(self.origin)}")
+        if not isinstance(self.origin, (tuple, list, np.ndarray)) or len(self.origin) != 2:
+            raise ValueError(f"origin: two numbers are needed, right and left, not {self.origin!r}")
         places = _reals(4, single, number(self.gauge, "gauge"), number(self.gauge_depth, "gauge_depth"), *(number(y, "origin") for y in self.origin))
         moves = b""
         if self.motion is not None:
@@ -210,25 +210,40 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     T-gamma of the right wheel 14 N
     """
     single, structures, kept = _structures(wheelset, track)
+    if on_error == "raise" and are_values(position, velocity) and not single:
+        return _one_wheelset(wheelset, track, [next(each) for each in structures], position, velocity, by_position, contacts)
     elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity))
     (forces, first), (slopes, second) = elements.out("wheelset_forces"), elements.out("wheelset_derivatives")
     moved, third = elements.out("wheelset_by_position") if by_position else (None, repeat(None))
-    space, place = memory.workspace("wheelset_workspace", single)
-    right, left = (KeptContacts(space["wheel"][i, ...]) for i in range(2))
+    space = memory.of("wheelset_workspace", single)
+    right, left = (KeptContacts(space.array["wheel"][i, ...], single) for i in range(2))
 
     def keep(status: int) -> None:
         right(status)
         left(status)
 
-    found = elements.run("kstrip_wheelset_on_track", *structures, *elements.columns.values(), repeat(place), first, second, third,
+    found = elements.run("kstrip_wheelset_on_track", *structures, *elements.columns.values(), repeat(space.address), first, second, third,
                          after=keep if contacts else None)
     del kept
     statuses = elements.statuses(found, forces, slopes, moved)
     made = WheelsetOnTrack(elements.result(WheelsetForces, forces, statuses), elements.result(WheelsetDerivatives, slopes, statuses),
                            None if moved is None else elements.result(WheelsetByPosition, moved, statuses),
                            (right.batch(elements), left.batch(elements)),
-                           copy.copy(wheelset), copy.copy(track), elements.given("position"), elements.given("velocity"), statuses)
+                           wheelset._copy(), track._copy(), elements.given("position"), elements.given("velocity"), statuses)
     return elements.report(made, statuses)
+
+
+def _one_wheelset(wheelset: Wheelset, track: Track, structures: list[bytes], position: Any, velocity: Any, by_position: bool,
+                  contacts: bool) -> WheelsetOnTrack:
+    """One wheelset in double precision."""
+    check(position=(WheelPosition, position), velocity=(WheelVelocity, velocity))
+    space = memory.of("wheelset_workspace", False)
+    status, (forces, slopes, moved) = call_for_values("kstrip_wheelset_on_track", (*structures, position, velocity), space, WheelsetForces,
+                                                      WheelsetDerivatives, WheelsetByPosition if by_position else None)
+    right, left = (contacts_in(space.array["wheel"][i, ...], contacts) for i in range(2))
+    made = WheelsetOnTrack(forces, slopes, moved, (right, left), wheelset._copy(), track._copy(), copy_of(position), copy_of(velocity), status)
+    report(status)
+    return made
 
 
 @dataclass(slots=True, repr=False, eq=False)
@@ -263,7 +278,7 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     (positions, first), (rates, second), (forces, third) = (elements.out(name) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
     loads = map(struct.Struct("3f" if single else "3d").pack, *(elements.columns[name] for name in ("vertical", "roll", "pitch")))
     found = elements.run("kstrip_wheelset_settle", *structures, elements.columns["start"], elements.columns["velocity"], loads,
-                         repeat(memory.workspace("wheelset_workspace", single)[1]), first, second, third)
+                         repeat(memory.of("wheelset_workspace", single).address), first, second, third)
     del kept
     statuses = elements.statuses(found, positions, rates, forces)
     made = Settled(elements.result(WheelPosition, positions, statuses), elements.result(WheelVelocity, rates, statuses),
@@ -287,7 +302,7 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
     differences, places = elements.real()
     given = map(struct.Struct("f" if single else "d").pack, elements.columns["shifts"])
     found = elements.run("kstrip_rolling_radius_difference", *structures, given, repeat(1), repeat(int(bool(with_roll))),
-                         repeat(memory.workspace("wheelset_workspace", single)[1]), places, repeat(None))
+                         repeat(memory.of("wheelset_workspace", single).address), places, repeat(None))
     del kept
     told = elements.statuses(found, differences)
     if statuses is not None:
