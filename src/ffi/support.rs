@@ -129,19 +129,6 @@ pub(super) fn with_requested<V: Default, P: Default, T>(
     Ok(found)
 }
 
-/// The same for many numbers. On a microcontroller a copy of more than 64 bytes is a call.
-#[inline]
-pub(super) fn put_by_halves<T: Copy>(place: Output<T>, value: &T) {
-    let Some(place) = place else { return };
-    let (from, to) = (core::ptr::from_ref(value).cast::<u8>(), place.as_mut_ptr().cast::<u8>());
-    let half = size_of::<T>() / 8 * 4;
-    // SAFETY: both halves lie within the value and the place, which do not overlap.
-    unsafe {
-        core::ptr::copy_nonoverlapping(from, to, half);
-        core::ptr::copy_nonoverlapping(from.add(half), to.add(half), size_of::<T>() - half);
-    }
-}
-
 /// An input array; may be NULL when it is empty.
 ///
 /// # Safety

@@ -234,15 +234,6 @@ impl<F: Real, const M: usize> Number for Dual<F, M> {
             *place = derivative;
         }
     }
-    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline]
-    fn add_rows_of_duals<const C: usize, const R: usize>(
-        sums: &mut [[F; 4]; C],
-        inputs: &[Self; R],
-        rows: &[[F::Stored; C]; R],
-    ) {
-        F::add_rows_beside(sums, super::rows::beside(inputs), rows);
-    }
     #[inline]
     fn exceeds(self, other: Self) -> bool {
         self.value.exceeds(other.value)

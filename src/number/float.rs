@@ -196,41 +196,6 @@ plain!(
         type WideFour = Self::Four;
         type WideEight = Self::WideRow;
         type WideSixteen = Lanes<Self::WideRow, 2>;
-
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        const HAS_ROWS: bool = true;
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
-        fn as_stored<const C: usize>(row: &[f32; C]) -> Option<&[f32; C]> {
-            Some(row)
-        }
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
-        fn rows_at_once<const C: usize, const R: usize>(
-            start: &[f32; C],
-            inputs: &[f32; R],
-            rows: &[[f32; C]; R],
-        ) -> [f32; C] {
-            super::rows::sums(start, inputs, rows)
-        }
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
-        fn chains_at_once<const C: usize, const R: usize>(
-            start: &[f32; C],
-            inputs: &[f32; R],
-            rows: &[[f32; C]; R],
-        ) -> [f32; C] {
-            super::rows::chains(start, inputs, rows)
-        }
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
-        fn add_rows_beside<const C: usize, const R: usize>(
-            sums: &mut [[f32; 4]; C],
-            inputs: &[[f32; 4]; R],
-            rows: &[[f32; C]; R],
-        ) {
-            super::rows::add_beside(sums, inputs, rows);
-        }
     }
     Number {
         type Pair = F32Pair;

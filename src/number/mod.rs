@@ -58,8 +58,6 @@ pub(crate) mod avx;
 mod elementary;
 mod float;
 pub mod lanes;
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-mod rows;
 pub(crate) mod tables;
 mod traits;
 

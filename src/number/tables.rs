@@ -1,7 +1,7 @@
 //! Tables of constants in both precisions: no number is converted at run time, and a program in one
 //! precision has none of the other.
 
-use super::traits::{Number, Real, Strips};
+use super::traits::{Real, Strips};
 
 /// `table!(F, constants)`: a constant table `[[f64; C]; R]` or `[[f32; C]; R]`, in the precision
 /// that numbers `F` are stored in.
@@ -52,19 +52,6 @@ pub(crate) const fn couples_as_rows<const R: usize, const P: usize, const C: usi
     rows
 }
 
-/// Columns as rows.
-pub(crate) const fn columns_as_rows<const R: usize, const C: usize>(
-    table: &[[f64; C]; R],
-) -> [[f64; R]; C] {
-    let mut columns = [[0.0; R]; C];
-    let mut i = 0;
-    while i < R * C {
-        columns[i % C][i / C] = table[i / C][i % C];
-        i += 1;
-    }
-    columns
-}
-
 /// Rows with the columns of even number first, then the others.
 pub(crate) const fn evens_first<const R: usize, const C: usize>(
     table: &[[f64; C]; R],
@@ -99,31 +86,6 @@ pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }
 
-/// A value and three derivatives.
-pub(crate) type ValueAndSlopes<F> = [F; 4];
-
-/// Numbers without derivatives.
-#[inline]
-pub(crate) fn beside_zeros<F: Real, const N: usize>(numbers: &[F; N]) -> [ValueAndSlopes<F>; N] {
-    let mut beside = [[F::zero(); 4]; N];
-    for ([place, ..], x) in beside.iter_mut().zip(numbers) {
-        *place = *x;
-    }
-    beside
-}
-
-/// The number with its derivatives.
-#[inline]
-pub(crate) fn from_side_by_side<T: Number>(
-    [value, by_x, by_y, by_z]: ValueAndSlopes<T::Base>,
-) -> T {
-    let mut number = T::from_base(value);
-    for (direction, derivative) in [by_x, by_y, by_z].into_iter().enumerate() {
-        number.set_derivative(direction, derivative);
-    }
-    number
-}
-
 /// Registers of sums at a time: they do not wait for each other.
 const BLOCK: usize = 6;
 /// The same of contacts side by side: a register is left for the input and one for the weight.
@@ -139,13 +101,6 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
-    if const { F::HAS_ROWS } {
-        let mut each = [F::zero(); R];
-        for (place, x) in each.iter_mut().zip(inputs) {
-            *place = x;
-        }
-        return F::rows_at_once(start, &each, rows);
-    }
     let mut sums = *start;
     if const { F::LANES > 1 || P::COUNT == 1 } {
         add_in_blocks(&mut sums, inputs, rows);
@@ -166,10 +121,7 @@ pub(crate) fn add_rows_to<F: Real, P: Strips<F>, const C: usize, const R: usize>
     inputs: impl Iterator<Item = F> + Clone,
     rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
-    match F::as_stored(start) {
-        Some(start) => add_rows::<F, P, C, R>(start, inputs, rows),
-        None => add_rows::<F, P, C, R>(&row(start), inputs, rows),
-    }
+    add_rows::<F, P, C, R>(&row(start), inputs, rows)
 }
 
 /// Columns from `first` on, as many as fill several `P`; the rest too where these are fours. The

@@ -160,15 +160,6 @@ pub trait Number: Arithmetic<Value = <Self as Number>::Base> {
     #[inline]
     fn set_derivative(&mut self, _direction: usize, _derivative: Self::Base) {}
 
-    /// [`Real::add_rows_beside`] for numbers with three derivatives.
-    #[inline]
-    fn add_rows_of_duals<const C: usize, const R: usize>(
-        _sums: &mut [[Self::Base; 4]; C],
-        _inputs: &[Self; R],
-        _rows: &[[Stored<Self>; C]; R],
-    ) {
-    }
-
     /// The nearest number in `[low, high]`.
     #[inline]
     fn clamped(self, low: Self, high: Self) -> Self {
@@ -212,41 +203,6 @@ pub trait Real: Number<Base = Self> + InRegisters {
     #[inline]
     fn lies_within(self, limit: Self) -> bool {
         self.lies_between(Self::zero(), limit)
-    }
-
-    /// A row of a table as it stands there. Only where [`Real::HAS_ROWS`].
-    #[inline]
-    fn as_stored<const C: usize>(_row: &[Self::Stored; C]) -> Option<&[Self; C]> {
-        None
-    }
-    /// Whether the machine has instructions for rows of weights ([`Real::rows_at_once`]).
-    const HAS_ROWS: bool = false;
-    /// `start + Σ xᵢ rowᵢ`, row after row. Only where the machine has instructions for it.
-    #[inline]
-    fn rows_at_once<const C: usize, const R: usize>(
-        start: &[Self; C],
-        _inputs: &[Self; R],
-        _rows: &[[Self::Stored; C]; R],
-    ) -> [Self; C] {
-        *start
-    }
-    /// The same of six columns and fourteen rows, in four chains: `(c₀ + c₂) + (c₁ + c₃)`, row
-    /// `i` in chain `i mod 4`.
-    #[inline]
-    fn chains_at_once<const C: usize, const R: usize>(
-        start: &[Self; C],
-        _inputs: &[Self; R],
-        _rows: &[[Self::Stored; C]; R],
-    ) -> [Self; C] {
-        *start
-    }
-    /// `start + Σ xᵢ rowᵢ` of a value and three derivatives, added to the sums.
-    #[inline]
-    fn add_rows_beside<const C: usize, const R: usize>(
-        _sums: &mut [[Self; 4]; C],
-        _inputs: &[[Self; 4]; R],
-        _rows: &[[Self::Stored; C]; R],
-    ) {
     }
 
     /// `ln(self/divisor)` of two positive normal numbers, to rounding, without a branch.

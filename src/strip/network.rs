@@ -1,10 +1,7 @@
 //! The fitted corrections: thirteen features, one layer of units `h/√(1 + h²)`, eight corrections.
 
 use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
-use crate::number::tables::{
-    add_rows, add_rows_to, beside_zeros, evens_first, every_second, from_side_by_side, row, table,
-    widen,
-};
+use crate::number::tables::{add_rows, add_rows_to, evens_first, every_second, row, table, widen};
 use crate::number::{Number, Real, Strips, add};
 
 pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
@@ -84,29 +81,6 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
         &self,
         inputs: [T; INPUTS],
     ) -> [T; CORRECTIONS] {
-        if F::HAS_ROWS && T::HAS_DERIVATIVES {
-            // Value and derivatives side by side, which reads each weight once for all.
-            let mut units = beside_zeros(self.start);
-            T::add_rows_of_duals(&mut units, &inputs, self.input);
-            for [h, x, y, z] in &mut units {
-                let root = h.squared().plus(1.0).inverse_root();
-                let slope = root * root.squared();
-                (*h, *x, *y, *z) = (*h * root, *x * slope, *y * slope, *z * slope);
-            }
-            let mut outputs = beside_zeros(&row::<F, CORRECTIONS>(self.offset));
-            let [of_evens, of_odds] = self.output;
-            let (evens, odds) = units.split_at_mut(HALF);
-            if let Some(evens) = evens.first_chunk() {
-                F::add_rows_beside(&mut outputs, evens, of_evens);
-            }
-            if let (Some(others), Some(odds)) = (evens.first_chunk_mut(), odds.first_chunk()) {
-                // (where the units were)
-                *others = [[F::zero(); 4]; CORRECTIONS];
-                F::add_rows_beside(others, odds, of_odds);
-                add(outputs.as_flattened_mut(), others.as_flattened().iter().copied());
-            }
-            return outputs.map(from_side_by_side);
-        }
         let values = inputs.iter().map(|x| x.value());
         let mut units = add_rows::<F, P, _, _>(self.start, values, self.input);
         let mut slopes = F::inverse_roots(F::each(&units, |h| h.squared().plus(1.0)));

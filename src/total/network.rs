@@ -2,11 +2,7 @@
 //! respect to its inputs.
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
-use crate::number::lanes::Lanes;
-use crate::number::tables::{
-    ValueAndSlopes, add_rows, add_rows_to, beside_zeros, columns_as_rows, couples_as_rows,
-    from_side_by_side, row, table, widen,
-};
+use crate::number::tables::{add_rows, add_rows_to, couples_as_rows, row, table, widen};
 use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
@@ -42,29 +38,11 @@ impl<F: Real> TotalNetwork<F> {
         let first = table!(F, couples_as_rows(&FIRST));
         let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
         let [last_offset] = table!(F, widen(&[LAST_BIAS]));
-        if F::HAS_ROWS && T::HAS_DERIVATIVES {
-            // Value and derivatives side by side, which reads each weight once for all.
-            let mut units = beside_zeros(&self.sums);
-            T::add_rows_of_duals(&mut units, &inputs, first);
-            move_on(&mut units);
-            let mut others = beside_zeros(&row::<F, UNITS_2>(second_offset));
-            F::add_rows_beside(&mut others, &units, second);
-            move_on(&mut others);
-            let outputs = beside_zeros(&row::<F, 6>(last_offset)).map(Lanes::new);
-            return last_layer(&others, |unit| Lanes::new(*unit), outputs)
-                .map(|output| from_side_by_side(output.numbers()));
-        }
         let sums = add_rows::<F, P, _, _>(&self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
         let (units, slopes_2) =
             activation(add_rows_to::<F, P, _, _>(second_offset, units.iter().copied(), second));
-        let offset = row(last_offset);
-        let mut outputs = if F::HAS_ROWS {
-            F::chains_at_once(&offset, &units, table!(F, columns_as_rows(&LAST_ROWS)))
-        } else {
-            last_layer(&units, |unit| *unit, offset)
-        }
-        .map(T::from_base);
+        let mut outputs = last_layer(&units, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
             let moves = inputs.iter().map(|x| x.derivative(direction));
@@ -89,42 +67,17 @@ fn moved<F: Real, P: Strips<F>>(
     let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));
     let units = times(add_rows::<F, P, _, _>(&[F::zero(); UNITS_1], moves, first), slopes_1);
     let units = add_rows::<F, P, _, _>(&[F::zero(); UNITS_2], units.iter().copied(), second);
-    last_layer(&times(units, slopes_2), |unit| *unit, [F::zero(); 6])
-}
-
-/// Replaces sums and their derivatives, side by side, by units and theirs. One loop for both
-/// layers, which keeps the code small.
-#[inline(never)]
-fn move_on<F: Real>(sums: &mut [ValueAndSlopes<F>]) {
-    const { assert!(UNITS_1 % 4 == 2 && UNITS_2 % 4 == 2) };
-    let (fours, rest) = sums.as_chunks_mut::<4>();
-    fours.iter_mut().for_each(move_each);
-    if let Some(two) = rest.first_chunk_mut::<2>() {
-        move_each(two);
-    }
-}
-
-#[inline(always)]
-fn move_each<F: Real, const N: usize>(sums: &mut [ValueAndSlopes<F>; N]) {
-    let (units, slopes) = activation(F::each(sums, |[sum, ..]| *sum));
-    for ((sum, unit), slope) in sums.iter_mut().zip(units).zip(slopes) {
-        let [_, x, y, z] = *sum;
-        *sum = [unit, x * slope, y * slope, z * slope];
-    }
+    last_layer(&times(units, slopes_2), [F::zero(); 6])
 }
 
 /// The last layer: four chains of sums for each output.
 #[inline(always)]
-fn last_layer<F: Real, U>(
-    units: &[U; UNITS_2],
-    number: impl Fn(&U) -> F,
-    mut outputs: [F; 6],
-) -> [F; 6] {
+fn last_layer<F: Real>(units: &[F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
     for (output, weights) in outputs.iter_mut().zip(table!(F, LAST_ROWS)) {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
             for ((sum, unit), weight) in sums.iter_mut().zip(units).zip(weights) {
-                *sum += number(unit) * F::stored(*weight);
+                *sum += *unit * F::stored(*weight);
             }
         }
         let [a, b, c, d] = sums;

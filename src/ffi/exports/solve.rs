@@ -4,8 +4,8 @@ use super::F;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::ffi::support::{
-    Output, answer, fill, for_forces, for_strips, given, given_by, output, place, put,
-    put_by_halves, solved, strip_count,
+    Output, answer, fill, for_forces, for_strips, given, given_by, output, place, put, solved,
+    strip_count,
 };
 use crate::ffi::types::{MotionOutputs, Outputs, kstrip_options};
 use crate::forces::derivatives::Derivatives;
@@ -279,8 +279,8 @@ impl Outputs<F> {
             put(place(self.result), *solution);
             put(place(self.friction), friction);
             if let Some((derivatives, law)) = slopes {
-                put_by_halves(place(self.derivatives), derivatives);
-                put_by_halves(place(self.law_derivatives), law);
+                put(place(self.derivatives), *derivatives);
+                put(place(self.law_derivatives), *law);
             }
         }
     }
