@@ -553,7 +553,8 @@ fn title(canvas: &Canvas, name: &str, contact: &str, dashes: bool) -> Drawn {
 
 /// A real patch: outline, pressure, and CONTACT's largest pressure.
 fn draw_real(case: &Case, what: &str, canvas: &Canvas) -> Drawn {
-    let strips = case.patch(COUNT).0.strips;
+    let patch = case.patch(COUNT).0;
+    let strips = patch.used();
     let ends = strips.iter().fold([f64::INFINITY, -f64::INFINITY], |[least, most], strip| {
         [least.min(strip.y - strip.width), most.max(strip.y + strip.width)]
     });
@@ -565,7 +566,7 @@ fn draw_real(case: &Case, what: &str, canvas: &Canvas) -> Drawn {
     let pressure = Axes { left: 410.0, ends, low: 0.0, high: 1.2 * peak };
     outline.draw(canvas, "outline, x [mm]")?;
     pressure.draw(canvas, "peak pressure of a strip [MPa]")?;
-    for strip in &strips {
+    for strip in strips {
         let (from, to) = (strip.y - strip.width / 2.0, strip.y + strip.width / 2.0);
         for x in [strip.centre_x - strip.half_length, strip.centre_x + strip.half_length] {
             let v = outline.up(1e3 * x);
@@ -680,7 +681,7 @@ fn print_costs() {
 
 /// Half lengths and pressure, ours as lines, CONTACT's as dots.
 fn draw(found: &Compared, what: &str, canvas: &Canvas) -> Drawn {
-    let (case, strips) = (&found.case, &found.patch.strips);
+    let (case, strips) = (&found.case, found.patch.used());
     let outline = || case.outline.iter();
     let least = outline().map(|row| row.y).fold(f64::INFINITY, f64::min) - 1e-3;
     let most = outline().map(|row| row.y).fold(-f64::INFINITY, f64::max) + 1e-3;

@@ -5,7 +5,7 @@ use crate::forces::{Solution, StripResult};
 use crate::friction::SlipFriction;
 use crate::friction::derivatives::LawDerivatives;
 use crate::motion::MotionDerivatives;
-pub use crate::patch::StoredPatch;
+pub use crate::patch::Patch;
 use crate::wheel_rail::WheelPair;
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheelset::track::RailMotion;

@@ -53,7 +53,7 @@ use crate::status::{Error, Warning};
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
-/// let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
+/// let patch = Patch::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let wet = SlipFriction {
 ///     friction: 0.3, ratio: 0.4, decay: 0.6, rolling_speed: 20.0, slope_factor: 0.5,
 ///     slide_factor: 0.0, layer: 0.0,

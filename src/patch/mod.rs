@@ -23,16 +23,15 @@ mod stored;
 mod view;
 pub mod zones;
 
-pub use self::stored::{KSTRIP_PATCH_CAPACITY, StoredPatch};
+pub use self::stored::{KSTRIP_PATCH_CAPACITY, Patch};
 pub use self::view::PatchView;
 
 use crate::contact::Contact;
 use crate::contact::totals::StripCount;
-use crate::number::{Float, sort};
+use crate::number::Float;
 use crate::status::Error;
 use crate::strip::Rule;
 use core::f64::consts::{FRAC_PI_2, PI};
-use heapless::Vec;
 
 /// One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x,
 /// peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
@@ -136,79 +135,8 @@ impl<F: Float> Default for QuadratureScale<F> {
     }
 }
 
-/// A patch of at most `CAPACITY` strips.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Patch<F, const CAPACITY: usize> {
-    /// The strips, ascending in `y`.
-    pub strips: Vec<PatchStrip<F>, CAPACITY>,
-    /// Combined shear modulus `G` \[Pa\].
-    pub shear_modulus: F,
-    /// Combined Poisson's ratio `ν`.
-    pub poisson_ratio: F,
-    /// Factors of the quadrature.
-    pub scale: QuadratureScale<F>,
-    /// Mismatch `κ` of the materials.
-    pub mismatch: F,
-}
-
-impl<F: Float, const CAPACITY: usize> Patch<F, CAPACITY> {
-    /// The patch of a Hertz ellipse, with strips at the places of
-    /// [`Model::Strip`](crate::forces::Model::Strip).
-    ///
-    /// # Errors
-    /// Those of [`Contact::check`]; [`Error::PatchSize`] when the capacity is below the count;
-    /// [`Error::Overflow`] when its strips do not fit the floating-point type.
-    pub fn from_ellipse(contact: &Contact<F>, count: StripCount) -> Result<Self, Error> {
-        check_ellipse(contact, count)?;
-        let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
-        patch.mismatch = contact.mismatch;
-        patch.scale = ellipse(contact, count, |strip| patch.strips.push(strip).is_ok())?;
-        Ok(patch)
-    }
-
-    /// A patch of strips in any order.
-    ///
-    /// # Errors
-    /// [`Error::PatchSize`] when there are more than the capacity, else those of
-    /// [`PatchView::new`].
-    pub fn from_strips(
-        strips: &[PatchStrip<F>],
-        shear_modulus: F,
-        poisson_ratio: F,
-    ) -> Result<Self, Error> {
-        let mut patch = Self::empty(shear_modulus, poisson_ratio);
-        patch.strips.extend_from_slice(strips).map_err(|_| Error::PatchSize)?;
-        sort(&mut patch.strips, |strip, next| strip.y < next.y);
-        patch.view()?;
-        Ok(patch)
-    }
-
-    /// An error if the strips do not carry this load, for lack of digits at the ends of the range.
-    pub(crate) fn check(&self, load: F) -> Result<(), Error> {
-        let lost = (self.view()?.normal_force() - load).abs();
-        if lost <= load * F::constant(1e-3) { Ok(()) } else { Err(Error::Overflow) }
-    }
-
-    pub(crate) fn empty(shear_modulus: F, poisson_ratio: F) -> Self {
-        let (strips, scale) = (Vec::new(), QuadratureScale::default());
-        Self { strips, shear_modulus, poisson_ratio, scale, mismatch: F::zero() }
-    }
-
-    /// The patch, checked, for the functions of [`solver`].
-    ///
-    /// # Errors
-    /// Those of [`PatchView::new`] and [`PatchView::with_mismatch`].
-    pub fn view(&self) -> Result<PatchView<'_, F>, Error> {
-        PatchView::new(&self.strips, self.shear_modulus, self.poisson_ratio, self.scale)?
-            .with_mismatch(self.mismatch)
-    }
-}
-
 /// Checks that the strips of an ellipse make a patch that [`PatchView::new`] accepts.
-pub(crate) fn check_ellipse<F: Float>(
-    contact: &Contact<F>,
-    count: StripCount,
-) -> Result<(), Error> {
+fn check_ellipse<F: Float>(contact: &Contact<F>, count: StripCount) -> Result<(), Error> {
     contact.check()?;
     let Contact { shear_modulus, poisson_ratio, .. } = *contact;
     let [mut width, mut load, mut bound, mut area] = [F::zero(); 4];
@@ -236,7 +164,7 @@ pub(crate) fn check_ellipse<F: Float>(
 }
 
 /// Passes the strips of a checked ellipse to `take`, which returns whether there was room.
-pub(crate) fn ellipse<F: Float>(
+fn ellipse<F: Float>(
     contact: &Contact<F>,
     count: StripCount,
     mut take: impl FnMut(PatchStrip<F>) -> bool,

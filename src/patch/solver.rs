@@ -364,10 +364,10 @@ impl<F: Float> Problem<'_, F> {
 ///     shear_modulus: 82e9, poisson_ratio: 0.28,
 ///     mismatch: 0.0,
 /// };
-/// let mut patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen)?;
+/// let mut patch = Patch::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let creepage = Creepage { longitudinal: 3e-3, lateral: 0.0, spin: 0.0 };
 /// let dry = solve_patch(&patch.view()?, &creepage, Model::Strip)?;
-/// for strip in patch.strips.iter_mut().filter(|strip| strip.y > 1.3e-3) {
+/// for strip in patch.used_mut().iter_mut().filter(|strip| strip.y > 1.3e-3) {
 ///     strip.friction = 0.05;
 /// }
 /// let greasy = solve_patch(&patch.view()?, &creepage, Model::Strip)?;

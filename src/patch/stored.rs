@@ -1,8 +1,10 @@
 //! A patch as a C structure: room for a fixed number of strips, and the number of those that are
 //! used.
 
-use super::{PatchStrip, PatchView, QuadratureScale};
-use crate::number::Float;
+use super::{PatchStrip, PatchView, QuadratureScale, check_ellipse, ellipse};
+use crate::contact::Contact;
+use crate::contact::totals::StripCount;
+use crate::number::{Float, sort};
 use crate::status::Error;
 
 /// Maximum number of strips in a kstrip_patch.
@@ -17,7 +19,7 @@ pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 /// there is a gap: the strips on either side are a lobe of their own.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StoredPatch<F> {
+pub struct Patch<F> {
     /// The strips; the first count are used.
     pub strips: [PatchStrip<F>; KSTRIP_PATCH_CAPACITY],
     /// Combined shear modulus G \[Pa\], > 0.
@@ -39,7 +41,7 @@ pub struct StoredPatch<F> {
     pub mismatch: F,
 }
 
-impl<F: Float> StoredPatch<F> {
+impl<F: Float> Patch<F> {
     /// A patch without strips and material.
     pub(crate) fn nothing() -> Self {
         let zero = F::zero();
@@ -55,9 +57,59 @@ impl<F: Float> StoredPatch<F> {
         }
     }
 
+    /// A patch without strips, of this combined shear modulus \[Pa\] and Poisson's ratio.
+    pub(crate) fn empty(shear_modulus: F, poisson_ratio: F) -> Self {
+        let mut patch = Self::nothing();
+        patch.clear(shear_modulus, poisson_ratio);
+        patch
+    }
+
+    /// The patch of a Hertz ellipse, with strips at the places of
+    /// [`Model::Strip`](crate::forces::Model::Strip). A lost contact has no strips.
+    ///
+    /// # Errors
+    /// Those of [`Contact::check`]; [`Error::Overflow`] when its strips do not fit the
+    /// floating-point type.
+    pub fn from_ellipse(contact: &Contact<F>, count: StripCount) -> Result<Self, Error> {
+        let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
+        if contact.is_lost() {
+            contact.check()?;
+            patch.view()?;
+            return Ok(patch);
+        }
+        check_ellipse(contact, count)?;
+        patch.mismatch = contact.mismatch;
+        let scale = ellipse(contact, count, |strip| patch.push(strip))?;
+        (patch.area_scale, patch.lever_scale) = (scale.area, scale.lever);
+        Ok(patch)
+    }
+
+    /// A patch of strips in any order.
+    ///
+    /// # Errors
+    /// [`Error::PatchSize`] when there are more than [`KSTRIP_PATCH_CAPACITY`], else those of
+    /// [`PatchView::new`].
+    pub fn from_strips(
+        strips: &[PatchStrip<F>],
+        shear_modulus: F,
+        poisson_ratio: F,
+    ) -> Result<Self, Error> {
+        let mut patch = Self::empty(shear_modulus, poisson_ratio);
+        Error::PatchSize.unless(strips.iter().all(|strip| patch.push(*strip)))?;
+        sort(patch.used_mut(), |strip, next| strip.y < next.y);
+        patch.view()?;
+        Ok(patch)
+    }
+
     /// The strips that are used.
-    pub(crate) fn used(&self) -> &[PatchStrip<F>] {
+    #[must_use]
+    pub fn used(&self) -> &[PatchStrip<F>] {
         self.strips.get(..self.count as usize).unwrap_or(&[])
+    }
+
+    /// The strips that are used, to be changed.
+    pub fn used_mut(&mut self) -> &mut [PatchStrip<F>] {
+        self.strips.get_mut(..self.count as usize).unwrap_or(&mut [])
     }
 
     /// Removes all strips.

@@ -8,7 +8,7 @@ use super::touch::{Gap, GapSearch};
 use super::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, WheelPair};
 use crate::contact::totals::StripCount;
 use crate::number::Float;
-use crate::patch::StoredPatch;
+use crate::patch::Patch;
 use crate::status::{Error, Warning};
 
 pub(super) fn is_single<F: Float>() -> bool {
@@ -36,7 +36,7 @@ pub struct Workspace<F> {
     /// The gap between the surfaces.
     pub gap: Gap<F>,
     /// Memory in which the normal problem of a contact is solved.
-    pub strips: StoredPatch<F>,
+    pub strips: Patch<F>,
     /// The contacts, in ascending y of a right wheel; the first count are used.
     pub contacts: [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
     /// Number of contacts.

@@ -57,7 +57,7 @@ fn circle(mut arrows: Arrows) -> Arrows {
 }
 
 /// Which file of src names something of which other file. Files are told by their modules,
-/// `strip::kernel`. What a `mod.rs` exports for others (`pub use stored::StoredPatch`) is none of
+/// `strip::kernel`. What a `mod.rs` exports for others (`pub use stored::Patch`) is none of
 /// its own uses.
 fn arrows_of_files() -> Arrows {
     let source = root().join("src");

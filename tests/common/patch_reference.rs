@@ -13,7 +13,7 @@ use kstrip::normal::{Indentation, Profile, ProfileContact};
 use kstrip::patch::{Patch, PatchStrip, friction, solver};
 use std::collections::HashMap;
 
-pub type Full = Patch<f64, 64>;
+pub type Full = Patch<f64>;
 
 /// A row of a table, by the names of its columns.
 pub type Row = HashMap<String, String>;
@@ -328,7 +328,7 @@ pub fn given() -> Vec<(Case, Full)> {
 pub fn banded(count: StripCount) -> Vec<(Case, Full)> {
     let make = |row: &Row| {
         let (case, mut patch) = elliptic(row, &row["band"], "mu_ref", count);
-        for strip in &mut patch.strips {
+        for strip in patch.used_mut() {
             strip.friction = band(&row["band"], strip.y / (number(row, "b_mm") * 1e-3));
         }
         (case, patch)

@@ -25,7 +25,7 @@ macro_rules! structures {
         pub type kstrip_motion_derivatives = kstrip::motion::MotionDerivatives<$float>;
         pub type kstrip_motion_outputs = kstrip::ffi::types::MotionOutputs<$float>;
         pub type kstrip_patch_strip = kstrip::patch::PatchStrip<$float>;
-        pub type kstrip_patch = kstrip::ffi::types::StoredPatch<$float>;
+        pub type kstrip_patch = kstrip::ffi::types::Patch<$float>;
         pub type kstrip_patch_summary = kstrip::ffi::types::PatchSummary<$float>;
         pub type kstrip_profile = kstrip::ffi::types::ProfilePoints<$float>;
         pub type kstrip_profile_contact = kstrip::ffi::types::ProfileOptions<$float>;

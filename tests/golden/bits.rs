@@ -186,7 +186,7 @@ struct Case<'a, F: Bits> {
     options: &'a Options,
 }
 
-type Full<F> = Patch<F, 64>;
+type Full<F> = Patch<F>;
 
 impl<F: Bits> Case<'_, F> {
     fn draw(&self, salt: u32, below: u32) -> u32 {
@@ -232,7 +232,7 @@ impl<F: Bits> Case<'_, F> {
         let mut warning = Warning::None;
         let patch = match i / 5 % 3 {
             0 => Full::from_ellipse(contact, options.strips).map(|mut patch| {
-                for (strip, n) in patch.strips.iter_mut().zip(0..) {
+                for (strip, n) in patch.used_mut().iter_mut().zip(0..) {
                     strip.friction = strip.friction * part(4 + self.draw(100 + n, 5), 8.0);
                 }
                 patch

@@ -190,11 +190,11 @@ fn hash_young_zones<F: Bits>(hash: &mut Hash) {
             let contact = pressed(given, [0.45, 82e9, 0.28, 0.3, smoothing].map(F::of));
             let strips = [StripCount::Four, StripCount::Eight, StripCount::Sixteen];
             let built =
-                Patch::<F, 64>::from_profile(&profile, &contact, strips[draw(i, 11, 3) as usize]);
+                Patch::<F>::from_profile(&profile, &contact, strips[draw(i, 11, 3) as usize]);
             let built = built.map(|(patch, found)| ((patch, found), found.warning));
             let Some((patch, found)) = hash.status(built) else { continue };
             hash_indentation(hash, &found);
-            for s in &patch.strips {
+            for s in patch.used() {
                 hash.add(&[s.y, s.width, s.half_length, s.centre_x, s.peak_pressure]);
             }
         }

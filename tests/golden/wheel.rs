@@ -150,7 +150,7 @@ fn hash_contacts<F: Bits>(hash: &mut Hash, memory: &Workspace<F>) {
         hash.add(&[contact.along]);
         let rows = [contact.normal, contact.slip_x, contact.slip_y, contact.spin_rate];
         rows.iter().chain([&contact.rolling_speed]).for_each(|row| hash.add(row));
-        for s in contact.patch.strips.iter().take(contact.patch.count as usize) {
+        for s in contact.patch.used() {
             hash.add(&[s.y, s.width, s.half_length, s.centre_x, s.peak_pressure, s.friction]);
         }
     }
@@ -190,7 +190,7 @@ fn hash_profile<F: Bits>(hash: &mut Hash) {
         {
             let smoothing = if count == many { 0.0 } else { 5e-4 };
             let contact = pressed(given, [0.45, 40e9, 0.3, 0.35, smoothing].map(F::of));
-            let built = Patch::<F, 64>::from_profile(&profile, &contact, count);
+            let built = Patch::<F>::from_profile(&profile, &contact, count);
             let built = built.map(|(patch, found)| ((patch, found), found.warning));
             let Some((mut patch, found)) = hash.status(built) else { continue };
             hash_indentation(hash, &found);

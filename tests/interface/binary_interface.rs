@@ -59,7 +59,10 @@ fn committed_headers_are_current() {
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
         let script = root().join("bindings/python/write_types.py");
         let status = std::process::Command::new("python3").arg(script).status();
-        assert!(status.is_ok_and(|status| status.success()), "python3 writes kstrip/_table.py and kstrip/values.py");
+        assert!(
+            status.is_ok_and(|status| status.success()),
+            "python3 writes kstrip/_table.py and kstrip/values.py"
+        );
     }
     let [double, _] = &headers;
     let functions = header::declared(double).functions.len();

@@ -297,7 +297,7 @@ fn derivatives_at_the_ends_of_the_range() {
 /// range.
 #[test]
 fn patches_at_the_ends_of_the_range() {
-    type Single = Patch<f32, 64>;
+    type Single = Patch<f32>;
     let single = |a: f32, b: f32, normal_force: f32| {
         problem([a, b, normal_force, 82e9, 0.28, 0.3, 0.0, 0.0, 0.0, 0.0]).0
     };
@@ -305,7 +305,7 @@ fn patches_at_the_ends_of_the_range() {
         Ok(built) => built.view().is_ok(),
         Err(error) => error == Error::Overflow,
     };
-    let wide = Single::from_ellipse(&single(1e34, 3.4e38, 0.0), StripCount::SixtyFour);
+    let wide = Single::from_ellipse(&single(1e34, 3.4e38, 1.0), StripCount::SixtyFour);
     assert_eq!(wide.err(), Some(Error::Overflow));
     // at the end of the range of axis ratios the ellipse of the strips was beyond it, that of their
     // contact not
@@ -323,15 +323,15 @@ fn patches_at_the_ends_of_the_range() {
     }
     // factors of a quadrature are near one
     let (wheel, _) = problem([3.6e-3, 3.8e-2, 23e3, 63.5e9, 0.03, 0.11, 0.0, 0.0, 0.0, 0.0]);
-    let patch = Patch::<f64, 64>::from_ellipse(&wheel, StripCount::Four).unwrap();
+    let patch = Patch::<f64>::from_ellipse(&wheel, StripCount::Four).unwrap();
     let scale = QuadratureScale { area: f64::MAX, lever: 1.0 };
-    let view = PatchView::new(&patch.strips, 82e9, 0.28, scale);
+    let view = PatchView::new(patch.used(), 82e9, 0.28, scale);
     assert_eq!(view.err(), Some(Error::Overflow));
     // what a point dissipates
     let (y, width, half_length, centre_x) = (0.0_f32, 2.5e-6, 2.4e-2, 0.0);
     let (peak_pressure, friction) = (3.8e7, 3.8e30);
     let rough = PatchStrip { y, width, half_length, centre_x, peak_pressure, friction };
-    let patch = Patch::<f32, 4>::from_strips(&[rough], 5e37, 0.01).unwrap();
+    let patch = Patch::<f32>::from_strips(&[rough], 5e37, 0.01).unwrap();
     let (view, motion) = (patch.view().unwrap(), creep(1e-3, 0.1, 48.0));
     let field = PatchField::new(&view, &motion, None, Model::Strip1967Continuous);
     assert!(field.is_err_and(|error| error == Error::Overflow));

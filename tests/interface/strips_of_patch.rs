@@ -76,7 +76,7 @@ fn of_rigid(patch: &kstrip_patch, motion: &kstrip_creepage) -> Vec<kstrip_creepa
     let own = |strip: &kstrip_patch_strip| {
         creep(longitudinal - spin * strip.y, lateral + spin * strip.centre_x, spin)
     };
-    patch.strips.iter().take(patch.count as usize).map(own).collect()
+    patch.used().iter().map(own).collect()
 }
 
 #[test]

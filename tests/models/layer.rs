@@ -320,7 +320,7 @@ fn a_patch_behind_a_layer_is_the_ellipse() {
         let m = any_motion(&mut random, &c, 1.0);
         let model = [Model::Total, Model::Strip][n / 2 % 2];
         let c = Contact { friction: law.friction, ..c };
-        let patch = Patch::<f64, 64>::from_ellipse(&c, StripCount::SixtyFour).unwrap();
+        let patch = Patch::<f64>::from_ellipse(&c, StripCount::SixtyFour).unwrap();
         let o = Options { model, strips: StripCount::SixtyFour };
         let whole = forces(&c, &m, &law, &o);
         let found = patch_friction::solve_patch_with_law(&patch.view().unwrap(), &m, &law, model)
@@ -545,7 +545,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
         let c = Contact { friction: law.friction, ..c };
         let m = any_motion(&mut random, &c, 1.0);
         let o = sixteen([Model::Strip, Model::Strip1967Continuous][n % 2]);
-        let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+        let patch = Patch::<f64>::from_ellipse(&c, StripCount::Sixteen).unwrap();
         let view = patch.view().unwrap();
         let falls = law.ratio < 1.0 && law.decay * law.rolling_speed > 0.0;
         let of_patch = PatchField::new(&view, &m, Some(&law), o.model).unwrap();
@@ -580,7 +580,7 @@ fn fields_of_strips_behind_a_layer_are_those_of_the_ellipse() {
 #[test]
 fn fields_behind_a_layer_are_finite_for_any_slip() {
     let c = kstrip_testing::single::single(&Contact { b: 4e-3, ..C0 });
-    let patch = Patch::<f32, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+    let patch = Patch::<f32>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let view = patch.view().unwrap();
     for model in [Model::Strip, Model::Strip1967, Model::Strip1967Continuous] {
         for (slip, layer) in [(4e24, 0.0), (4e24, 4e-14), (1e20, 4e-14), (1e-25, 4e-14)] {
@@ -629,7 +629,7 @@ fn fields_of_bodies_that_hardly_resist_are_finite() {
 #[test]
 fn patches_of_hardly_any_stiffness_are_finite() {
     let c = any_contact(&mut Random::new(7));
-    let patch = Patch::<f64, 16>::from_ellipse(&c, StripCount::Sixteen).unwrap();
+    let patch = Patch::<f64>::from_ellipse(&c, StripCount::Sixteen).unwrap();
     let view = patch.view().unwrap();
     let m = creep(2e-5, -2.4e-4, 0.03);
     for slope_factor in [1e-300, f64::from_bits(1)] {

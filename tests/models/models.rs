@@ -448,7 +448,7 @@ fn notices() {
             assert_eq!(warning(g, psi), expected, "{options:?} {g} {psi}");
         }
         for (g, psi) in patches {
-            let patch = Patch::<f64, 64>::from_ellipse(&contact(g, 0.28), options.strips).unwrap();
+            let patch = Patch::<f64>::from_ellipse(&contact(g, 0.28), options.strips).unwrap();
             let v = creepage([0.1, 0.0, spin_of(psi, g)]);
             let found = solver::solve_patch(&patch.view().unwrap(), &v, options.model).unwrap();
             assert_eq!(found.warning, warning(g, psi), "{options:?} {g} {psi}");

@@ -2,7 +2,7 @@
 
 use crate::prelude::*;
 
-pub type Full = Patch<f64, 64>;
+pub type Full = Patch<f64>;
 
 /// An irregular patch: one to three lobes, random lengths, pressures, frictions, centres.
 pub fn irregular(random: &mut Random) -> Full {
@@ -32,9 +32,10 @@ pub fn side_by_side(ellipses: &[(Contact<f64>, f64)], count: StripCount) -> Full
     let mut strips = Vec::new();
     for (c, centre) in ellipses {
         let shifted = |strip: &PatchStrip<f64>| PatchStrip { y: strip.y + centre, ..*strip };
-        strips.extend(alone(c).strips.iter().map(shifted));
+        strips.extend(alone(c).used().iter().map(shifted));
     }
-    Full { scale: alone(&ellipses[0].0).scale, ..Full::from_strips(&strips, 82e9, 0.28).unwrap() }
+    let Full { area_scale, lever_scale, .. } = alone(&ellipses[0].0);
+    Full { area_scale, lever_scale, ..Full::from_strips(&strips, 82e9, 0.28).unwrap() }
 }
 
 /// The results of all strips.

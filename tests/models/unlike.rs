@@ -173,7 +173,7 @@ fn a_patch_carries_the_mismatch_of_its_contact() {
     for case in 0..40 {
         let (contact, creepage) = state(&mut random);
         let model = [Model::Strip, Model::Total][case % 2];
-        let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
+        let patch = Patch::<f64>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
         let law = (case % 4 > 1).then_some(falling(contact.friction, 0.4, 0.6, 20.0, 0.7));
         let found = patch_friction::differentiate_patch(
             &patch.view().unwrap(),
@@ -243,7 +243,7 @@ fn the_warning_of_a_mismatch_begins_at_a_quarter() {
     let law = falling(0.3, 0.4, 0.6, 20.0, 1.0);
     for (mismatch, expected) in [(0.2475, Warning::None), (-0.2525, Warning::Mismatch)] {
         let contact = Contact { mismatch, ..contact(1.5, 0.3) };
-        let patch = Patch::<f64, 16>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
+        let patch = Patch::<f64>::from_ellipse(&contact, StripCount::Sixteen).unwrap();
         for law in [None, Some(&law)] {
             let o = sixteen(Model::Strip);
             let found = derivatives::differentiate_with_law(&contact, &motion, law, &o).unwrap();

@@ -4,7 +4,7 @@
 use crate::prelude::*;
 use crate::wheel_continuity::{RAILS, WHEELS};
 use crate::wheel_rail::{by_position, single};
-use kstrip::patch::StoredPatch;
+use kstrip::patch::Patch;
 use kstrip::wheel_rail::touch::Gap;
 
 type Members = [f64; 6];
@@ -272,7 +272,7 @@ fn derivatives_by_position_of_a_wide_contact() {
 
 fn zones(memory: &Workspace<f64>) -> usize {
     let of_contact = |contact: &WheelContact<f64>| {
-        let StoredPatch { strips, count, .. } = &contact.patch;
+        let Patch { strips, count, .. } = &contact.patch;
         let strips = &strips[..*count as usize];
         let apart = |pair: &[PatchStrip<f64>]| {
             pair[1].y - pair[0].y > 0.5 * (pair[0].width + pair[1].width) + 1e-12

@@ -90,7 +90,7 @@ impl Stand {
         let (scene, memory) = self.split();
         let (height, warning) = scene.height_for_load(position, load, velocity, memory).unwrap();
         // only contacts pressed with more than a twentieth of the modulus are said to be none
-        let strips = memory.found().iter().flat_map(|contact| contact.patch.strips.iter());
+        let strips = memory.found().iter().flat_map(|contact| contact.patch.used().iter());
         let most = strips.map(|strip| strip.peak_pressure).fold(0.0, f64::max);
         let expected =
             if most > scene.pair.shear_modulus / 20.0 { Warning::Support } else { Warning::None };
@@ -632,8 +632,8 @@ fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
     let rows = WheelContact { slip_x, slip_y, rolling_speed, spin_rate, ..*contact };
     let ahead = WheelContact { normal: [0.0; 6], own: 0.0, ..rows };
     let mut image = ahead;
-    image.patch.strips.iter_mut().for_each(|strip| strip.centre_x = -strip.centre_x);
-    let skew = contact.patch.strips.iter().map(|strip| strip.centre_x.abs()).fold(0.0, f64::max);
+    image.patch.used_mut().iter_mut().for_each(|strip| strip.centre_x = -strip.centre_x);
+    let skew = contact.patch.used().iter().map(|strip| strip.centre_x.abs()).fold(0.0, f64::max);
     assert!(skew > 1e-3, "{skew}");
     let forward =
         Velocity { forward: 0.02, lateral: 0.01, pitch: 20.0, yaw: 4.0, ..Velocity::default() };

@@ -36,13 +36,13 @@ fn solved<F: Float>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indentation
         friction: F::widened(0.3),
         smoothing_length: F::zero(),
     };
-    let found = Patch::<F, 32>::from_profile(
+    let found = Patch::<F>::from_profile(
         &Profile::new(&y, &distance).unwrap(),
         &contact,
         StripCount::Sixteen,
     );
     let (patch, found) = found.unwrap_or_else(|error| panic!("{error:?} {load}"));
-    (patch.strips.to_vec(), found)
+    (patch.used().to_vec(), found)
 }
 
 /// Errors in units of the last place: approach, stiffness, half lengths (of the longest), pressures

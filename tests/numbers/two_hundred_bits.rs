@@ -53,10 +53,9 @@ enum Strips {
 }
 
 /// Strips but those of the ellipse are numbers of single precision, as all inputs.
-fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
+fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F> {
     let (contact, _) = contact::<F>(inputs);
-    let exact =
-        |contact: &Contact<f32>| Patch::<f32, 16>::from_ellipse(contact, StripCount::Sixteen);
+    let exact = |contact: &Contact<f32>| Patch::from_ellipse(contact, StripCount::Sixteen);
     let single = self::contact::<f32>(inputs).0;
     let Contact { a, b, friction, .. } = single;
     let (strips, scale): (Vec<PatchStrip<f32>>, _) = match strips {
@@ -70,7 +69,8 @@ fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
                 friction: bands[i / 6],
                 ..*strip
             };
-            (patch.strips.iter().enumerate().map(banded).collect(), patch.scale)
+            let scale = [patch.area_scale, patch.lever_scale];
+            (patch.used().iter().enumerate().map(banded).collect(), scale)
         }
         Strips::Unequal => {
             let mut edge = -b;
@@ -89,7 +89,7 @@ fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
                     friction,
                 }
             };
-            ((0..16).map(strip).collect(), QuadratureScale::default())
+            ((0..16).map(strip).collect(), [1.0, 1.0])
         }
     };
     let widened = |strip: PatchStrip<f32>| {
@@ -98,13 +98,10 @@ fn patch<F: Float>(strips: Strips, inputs: &Inputs) -> Patch<F, 16> {
             [y, width, half_length, centre_x, peak_pressure, friction].map(F::widened);
         PatchStrip { y, width, half_length, centre_x, peak_pressure, friction }
     };
-    Patch {
-        strips: strips.into_iter().map(widened).collect(),
-        shear_modulus: contact.shear_modulus,
-        poisson_ratio: contact.poisson_ratio,
-        scale: QuadratureScale { area: F::widened(scale.area), lever: F::widened(scale.lever) },
-        mismatch: F::zero(),
-    }
+    let strips: Vec<_> = strips.into_iter().map(widened).collect();
+    let [area_scale, lever_scale] = scale.map(F::widened);
+    let patch = Patch::from_strips(&strips, contact.shear_modulus, contact.poisson_ratio);
+    Patch { area_scale, lever_scale, ..patch.expect("a patch") }
 }
 
 /// What the library answers in numbers of a kind: `F_x, F_y, M_z` and their derivatives with

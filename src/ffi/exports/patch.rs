@@ -8,16 +8,12 @@ use crate::ffi::support::{answer, fill, for_strips, given, input, put, strip_cou
 use crate::ffi::types::{Outputs, PatchSummary, ProfileOptions, ProfilePoints, kstrip_options};
 use crate::forces::field::FieldPoint;
 use crate::friction::SlipFriction;
-use crate::normal::cells::{CELLS, Cells, Given};
+use crate::normal::cells::Given;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::patch::field::PatchField;
-use crate::patch::{
-    self, KSTRIP_PATCH_CAPACITY, Patch, PatchStrip, PatchView, QuadratureScale, StoredPatch,
-    check_ellipse, ellipse, solver,
-};
+use crate::patch::{self, KSTRIP_PATCH_CAPACITY, Patch, PatchStrip, solver};
 use crate::status::{Error, Warning, kstrip_status};
 use core::mem::MaybeUninit;
-use heapless::Vec;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
@@ -39,7 +35,7 @@ use heapless::Vec;
 pub unsafe extern "C" fn kstrip_patch_from_profile(
     profile: Option<&ProfilePoints<F>>,
     contact: Option<&ProfileOptions<F>>,
-    patch: Option<&mut MaybeUninit<StoredPatch<F>>>,
+    patch: Option<&mut MaybeUninit<Patch<F>>>,
     result: Option<&mut MaybeUninit<Indentation<F>>>,
 ) -> kstrip_status {
     answer(|| {
@@ -72,14 +68,11 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
             [first, .., last] => last - first,
             _ => 0.0,
         };
-        let mut list = Vec::<_, CELLS>::new();
-        let mut cells = Cells { list: list.as_mut_view() };
-        let mut found = Indentation::new(&profile, contact, strip_count(strips)?, &mut cells)?;
+        let (built, found) = Patch::from_profile(&profile, contact, strip_count(strips)?)?;
         // (an approach next to which the shape of the surfaces is lost)
         let is_lost = approach > width && found.normal_force <= 0.0;
         Error::Overflow.when(!by_load && is_lost)?;
-        // One strip for each cell in contact.
-        write_patch(|| Patch::<_, CELLS>::of_cells(contact, &cells, &mut found), patch)?;
+        patch.write(built);
         put(result, found);
         Ok(found.warning)
     })
@@ -105,23 +98,11 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
     count: u32,
     shear_modulus: F,
     poisson_ratio: F,
-    patch: Option<&mut MaybeUninit<StoredPatch<F>>>,
+    patch: Option<&mut MaybeUninit<Patch<F>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
     let strips = unsafe { input(strips, count) };
-    answer(|| {
-        let (strips, patch) = (strips?, given(patch)?);
-        Error::PatchSize.unless(strips.len() <= KSTRIP_PATCH_CAPACITY)?;
-        match PatchView::new(strips, shear_modulus, poisson_ratio, QuadratureScale::default()) {
-            Ok(view) => StoredPatch::write(&view, patch),
-            Err(Error::StripOrder) => {
-                type Sorted = Patch<F, KSTRIP_PATCH_CAPACITY>;
-                write_patch(|| Sorted::from_strips(strips, shear_modulus, poisson_ratio), patch)?;
-            }
-            Err(error) => return Err(error),
-        }
-        Ok(Warning::None)
-    })
+    fill(patch, || Patch::from_strips(strips?, shear_modulus, poisson_ratio))
 }
 
 /// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
@@ -140,26 +121,9 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 pub extern "C" fn kstrip_patch_from_contact(
     contact: Option<&Contact<F>>,
     options: Option<&kstrip_options>,
-    patch: Option<&mut MaybeUninit<StoredPatch<F>>>,
+    patch: Option<&mut MaybeUninit<Patch<F>>>,
 ) -> kstrip_status {
-    answer(|| {
-        let (contact, patch) = (given(contact)?, given(patch)?);
-        let count = for_strips(options)?.strips;
-        let Contact { shear_modulus, poisson_ratio, .. } = *contact;
-        if contact.is_lost() {
-            contact.check()?;
-            let none =
-                PatchView::new(&[], shear_modulus, poisson_ratio, QuadratureScale::default());
-            StoredPatch::write(&none?, patch);
-            return Ok(Warning::None);
-        }
-        check_ellipse(contact, count)?;
-        let stored = StoredPatch::write_empty(patch, shear_modulus, poisson_ratio);
-        stored.mismatch = contact.mismatch;
-        let scale = ellipse(contact, count, |strip| stored.push(strip))?;
-        (stored.area_scale, stored.lever_scale) = (scale.area, scale.lever);
-        Ok(Warning::None)
-    })
+    fill(patch, || Patch::from_ellipse(given(contact)?, for_strips(options)?.strips))
 }
 
 /// Load, friction bound, area and lobes of a patch; checks it without solving.
@@ -170,7 +134,7 @@ pub extern "C" fn kstrip_patch_from_contact(
 ///         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
 #[unsafe(export_name = symbol!("kstrip_patch_summarize"))]
 pub extern "C" fn kstrip_patch_summarize(
-    patch: Option<&StoredPatch<F>>,
+    patch: Option<&Patch<F>>,
     summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
 ) -> kstrip_status {
     fill(summary, || {
@@ -219,7 +183,7 @@ pub extern "C" fn kstrip_patch_summarize(
 ///         errors of kstrip_patch_summarize().
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate(
-    patch: Option<&StoredPatch<F>>,
+    patch: Option<&Patch<F>>,
     creepage: Option<&Creepage<F>>,
     friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
@@ -239,7 +203,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 /// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate_strips"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
-    patch: Option<&StoredPatch<F>>,
+    patch: Option<&Patch<F>>,
     creepage: Option<&Creepage<F>>,
     own: *const Creepage<F>,
     friction: Option<&SlipFriction<F>>,
@@ -274,7 +238,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
 /// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
 #[unsafe(export_name = symbol!("kstrip_patch_field"))]
 pub unsafe extern "C" fn kstrip_patch_field(
-    patch: Option<&StoredPatch<F>>,
+    patch: Option<&Patch<F>>,
     creepage: Option<&Creepage<F>>,
     friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,
@@ -296,43 +260,11 @@ pub unsafe extern "C" fn kstrip_patch_field(
     })
 }
 
-impl StoredPatch<F> {
-    /// A patch without strips, written in place because it is large.
-    fn write_empty(out: &mut MaybeUninit<Self>, shear_modulus: F, poisson_ratio: F) -> &mut Self {
-        // SAFETY: all bits zero are a structure of numbers.
-        let patch = unsafe {
-            out.as_mut_ptr().write_bytes(0, 1);
-            out.assume_init_mut()
-        };
-        patch.clear(shear_modulus, poisson_ratio);
-        patch
-    }
-
-    fn write(view: &PatchView<F>, out: &mut MaybeUninit<Self>) {
-        let patch = Self::write_empty(out, view.shear_modulus(), view.poisson_ratio());
-        let QuadratureScale { area, lever } = view.quadrature();
-        (patch.area_scale, patch.lever_scale) = (area, lever);
-        for strip in view.strips() {
-            patch.push(*strip);
-        }
-    }
-}
-
-/// Writes a patch that has a copy on the stack, out of line, so that it takes room there only then.
-#[inline(never)]
-fn write_patch<const CAPACITY: usize>(
-    make: impl FnOnce() -> Result<Patch<F, CAPACITY>, Error>,
-    out: &mut MaybeUninit<StoredPatch<F>>,
-) -> Result<(), Error> {
-    StoredPatch::write(&make()?.view()?, out);
-    Ok(())
-}
-
 /// # Safety
 /// Every pointer of the outputs is NULL, or valid and aligned for one write, that of the strips for
 /// `capacity`; no two overlap.
 unsafe fn evaluate_patch(
-    patch: &StoredPatch<F>,
+    patch: &Patch<F>,
     (creepage, own): (&Creepage<F>, &[Creepage<F>]),
     law: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>,

@@ -9,7 +9,7 @@ use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Motion;
 use crate::number::{Float, are_finite};
-use crate::patch::StoredPatch;
+use crate::patch::Patch;
 use crate::status::{Error, Warning, kstrip_status};
 use crate::wheel_rail::contacts::{self, WheelContact};
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     gap: Option<&Gap<F>>,
     pair: Option<&WheelPair<F>>,
     position: Option<&Position<F>>,
-    workspace: Option<&mut StoredPatch<F>>,
+    workspace: Option<&mut Patch<F>>,
     contacts: *mut WheelContact<F>,
     count: Option<&mut MaybeUninit<u32>>,
 ) -> kstrip_status {

@@ -35,7 +35,7 @@ use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float, add, are_finite, at, length};
 use crate::numerics::{ramp, smooth_step};
-use crate::patch::{KSTRIP_PATCH_CAPACITY, StoredPatch};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::touch::Gap;
 use crate::wheel_rail::touch::line_of_contact::{Axes, Turn, with_moment};
@@ -98,7 +98,7 @@ pub struct WheelContact<F> {
     /// kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.
     pub at_rest: Motion<F>,
     /// The strips; y along the rail's surface, x forward from the origin.
-    pub patch: StoredPatch<F>,
+    pub patch: Patch<F>,
     /// Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the
     /// normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on
     /// rollers.
@@ -198,7 +198,7 @@ impl<F: Float> WheelContact<F> {
     }
 
     /// Fills the contact from strips along the rail.
-    fn fill(&mut self, view: &View<F>, strips: &StoredPatch<F>, found: &Indentation<F>) {
+    fn fill(&mut self, view: &View<F>, strips: &Patch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
         self.patch = *strips;
         let sums = self.sums_of_strips(view);
@@ -325,7 +325,7 @@ pub fn from_gap<F: Float>(
     pair: &WheelPair<F>,
     position: &Position<F>,
     count: StripCount,
-    strips: &mut StoredPatch<F>,
+    strips: &mut Patch<F>,
     contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;

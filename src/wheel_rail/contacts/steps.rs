@@ -14,7 +14,7 @@ use crate::normal::profile::{DIRECTIONS, TOGETHER};
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile};
 use crate::number::{Float, Number, add, at, length};
-use crate::patch::StoredPatch;
+use crate::patch::Patch;
 use crate::status::Error;
 use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, sum_of_contacts};
 use crate::wheel_rail::scene::{Scene, Workspace, is_single};
@@ -101,7 +101,7 @@ impl<F: Float> Scene<'_, F> {
 /// Memory for one contact: its cells with their derivatives, and its strips after a step.
 struct Room<'a, 'b, F> {
     cells: &'a mut Cells<'b, F, TOGETHER>,
-    strips: &'a mut StoredPatch<F>,
+    strips: &'a mut Patch<F>,
     contact: &'a mut WheelContact<F>,
 }
 

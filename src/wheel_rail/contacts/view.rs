@@ -9,7 +9,7 @@ use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Dual, Float, add, are_finite, ascend, at};
 use crate::numerics::hermite::between_parabolas;
-use crate::patch::StoredPatch;
+use crate::patch::Patch;
 use crate::status::{Error, Warning};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::touch::roller::{Over, Roller};
@@ -164,7 +164,7 @@ impl<'a, F: Float> View<'a, F> {
         cells: &Cells<F, N>,
         of: impl Fn(Dual<F, N>) -> F,
         found: &mut Indentation<F>,
-        strips: &mut StoredPatch<F>,
+        strips: &mut Patch<F>,
     ) -> Result<(), Error> {
         let contact = self.contact(found.approach);
         strips.clear(contact.shear_modulus, contact.poisson_ratio);

@@ -5,7 +5,7 @@ use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Rolling;
 use crate::number::{Float, reverse};
-use crate::patch::{PatchView, StoredPatch};
+use crate::patch::{Patch, PatchView};
 use crate::status::Error;
 
 /// The model of the creep forces, and the law of friction.
@@ -24,9 +24,9 @@ pub(super) fn at_speed<F: Float>(law: Law<F>, speed: F) -> Option<SlipFriction<F
 
 /// A patch whose pressure has a factor, and memory for one that is turned.
 pub(super) struct Pressed<'a, F> {
-    pub patch: &'a StoredPatch<F>,
+    pub patch: &'a Patch<F>,
     pub factor: F,
-    pub room: &'a mut StoredPatch<F>,
+    pub room: &'a mut Patch<F>,
 }
 
 impl<F: Float> Pressed<'_, F> {
@@ -55,7 +55,7 @@ impl<F: Float> Pressed<'_, F> {
     }
 
     /// The patch, turned or with the friction that follows the pressure.
-    fn copied(&mut self, is_turned: bool) -> &StoredPatch<F> {
+    fn copied(&mut self, is_turned: bool) -> &Patch<F> {
         *self.room = *self.patch;
         let count = self.room.count as usize;
         let used = self.room.strips.get_mut(..count).unwrap_or(&mut []);

@@ -19,7 +19,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Solution;
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, add, are_finite};
-use crate::patch::{self, PatchView, StoredPatch, solver};
+use crate::patch::{self, Patch, PatchView, solver};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::{Velocity, dot};
@@ -94,20 +94,20 @@ impl<F: Float> Wrench<F> {
 ///
 /// # Errors
 /// [`Error::NotFinite`]; those of [`solver::solve_patch`],
-/// [`patch::friction::solve_patch_with_law`] and [`StoredPatch::view`](patch::StoredPatch::view).
+/// [`patch::friction::solve_patch_with_law`] and [`Patch::view`](patch::Patch::view).
 pub fn of_contacts<F: Float>(
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
     law: Law<F>,
     derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
-    let mut room = StoredPatch::nothing();
+    let mut room = Patch::nothing();
     of_contacts_in(&mut room, contacts, velocity, law, derivatives)
 }
 
 /// The same with memory for a patch.
 pub(crate) fn of_contacts_in<F: Float>(
-    room: &mut StoredPatch<F>,
+    room: &mut Patch<F>,
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
     law: Law<F>,
@@ -122,7 +122,7 @@ pub(crate) fn of_contacts_in<F: Float>(
 /// The same; without `SLOPES` no derivatives, which takes less than half of the stack.
 #[inline(never)]
 pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
-    room: &mut StoredPatch<F>,
+    room: &mut Patch<F>,
     contacts: &[WheelContact<F>],
     velocity: &Velocity<F>,
     law: Law<F>,

@@ -315,7 +315,7 @@ fn patch_evaluate(bytes: &mut Bytes) {
     }
     if let Some(strips) = all.strips() {
         assert_eq!(strips.len(), patch.count as usize);
-        for (s, of_patch) in strips.iter().zip(&patch.strips) {
+        for (s, of_patch) in strips.iter().zip(patch.used()) {
             let numbers = [s.separatrix, s.fx, s.fy, s.mz, s.power];
             assert!(finite(&numbers) && s.y == of_patch.y, "{} {s:?}", context());
         }
@@ -342,7 +342,7 @@ fn patch_field(bytes: &mut Bytes) {
     let law = (bytes.byte() < 100).then(|| friction_of(bytes));
     let mut grid = Grid::new(bytes, 5e-3);
     if bytes.byte() < 192 {
-        grid.y.iter_mut().zip(&patch.strips).for_each(|(y, strip)| *y = strip.y);
+        grid.y.iter_mut().zip(patch.used()).for_each(|(y, strip)| *y = strip.y);
     }
     // SAFETY: NULL or as many elements as the counts say.
     let status = unsafe {
