@@ -23,12 +23,12 @@
 //! 7. [`number`]: the types of number that the formulas are written in. [`numerics`]: interpolation
 //!    and root searches. [`ffi`]: the functions for C (`include/kstrip.h`).
 //!
-//! # ScaledContact and signs
+//! # Axes and signs
 //!
 //! `x` points in the rolling direction (leading edge at `x > 0`), `y` is lateral, `z` points into
-//! the lower body. Creepage is the velocity of the upper over the lower body, divided by the
-//! rolling speed; forces and tractions act on the **lower** body, and have the sense of the slip.
-//! SI units.
+//! the lower body. Creepage is the velocity of the upper body relative to the lower body, divided
+//! by the rolling speed. Forces and tractions act on the **lower** body, and have the sense of the
+//! slip. All quantities have SI units.
 //!
 //! # Promises
 //!
@@ -57,6 +57,28 @@
 //! assert!(found.fx > 0.0 && found.fx < 0.3 * 80e3);
 //! # Ok::<(), kstrip::status::Error>(())
 //! ```
+//!
+//! Profiles and workspaces are large structures of plain numbers, and `new()` makes empty ones as
+//! constants. A static holds them without any stack. `Box::new` puts them on the heap; an
+//! unoptimised build passes them over the stack, of which the largest takes less than 150 kB:
+//! ```
+//! use kstrip::wheel_rail::{profile::PreparedProfile, scene::Workspace};
+//! use std::sync::Mutex;
+//! static MEMORY: Mutex<Workspace<f64>> = Mutex::new(Workspace::new());
+//! let (y, z): (Vec<f64>, Vec<f64>) = (-100..=100)
+//!     .map(|k| f64::from(k) * 0.3e-3)
+//!     .map(|y| (y, 0.3 - (0.09 - y * y).sqrt()))
+//!     .unzip();
+//! let mut rail = Box::new(PreparedProfile::new());
+//! rail.prepare(&y, &z, 0.0, 0.0)?;
+//! assert!(MEMORY.lock().is_ok_and(|memory| memory.found().is_empty()));
+//! assert!(size_of::<kstrip::wheelset::forces::WheelsetWorkspace<f64>>() < 150_000);
+//! # Ok::<(), kstrip::status::Error>(())
+//! ```
+//!
+//! The programs in `examples` go on from here: `creep_curve.rs` computes a creep curve,
+//! `measured_curve.rs` fits a law of friction to measured forces, and `wheelset.rs` integrates the
+//! motion of a wheelset that hunts, brakes to a stop, rolls back and lifts a wheel.
 
 #![no_std]
 #![deny(missing_docs, unsafe_code)]

@@ -10,6 +10,7 @@ macro_rules! plain {
         Float { $($float_items:tt)* } Real { $($plain_items:tt)* } Number { $($number_items:tt)* }
         $($elementary:ident = $elementary_of:path),*; $($root:ident = $root_of:path),*) => {
         impl Float for $float {
+            const ZERO: $float = 0.0;
             $($float_items)*
 
             #[inline]

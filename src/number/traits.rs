@@ -220,6 +220,8 @@ pub trait Float: Real<Stored = Self> + PartialOrd + Default + nalgebra::Scalar {
     /// As many as fill one of 512 bits.
     type WideContacts: Real<Stored = Self> + Strips<Self>;
 
+    /// Zero, for constants.
+    const ZERO: Self;
     /// Even powers of `artanh(s)/s` for `s² ≤ 0.0403`.
     const ARTANH: &'static [Self];
     /// Even powers of `arctan(u)/u` for `u² ≤ 0.0396`.

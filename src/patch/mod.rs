@@ -53,6 +53,15 @@ pub struct PatchStrip<F> {
 }
 
 impl<F: Float> PatchStrip<F> {
+    const EMPTY: Self = Self {
+        y: F::ZERO,
+        width: F::ZERO,
+        half_length: F::ZERO,
+        centre_x: F::ZERO,
+        peak_pressure: F::ZERO,
+        friction: F::ZERO,
+    };
+
     /// Load `(π/2) p₀ l · width` \[N\].
     #[must_use]
     pub fn load(&self) -> F {

@@ -43,10 +43,10 @@ pub struct Patch<F> {
 
 impl<F: Float> Patch<F> {
     /// A patch without strips and material.
-    pub(crate) fn nothing() -> Self {
-        let zero = F::zero();
+    pub(crate) const fn nothing() -> Self {
+        let zero = F::ZERO;
         Self {
-            strips: [PatchStrip::default(); KSTRIP_PATCH_CAPACITY],
+            strips: [PatchStrip::EMPTY; KSTRIP_PATCH_CAPACITY],
             shear_modulus: zero,
             poisson_ratio: zero,
             area_scale: zero,

@@ -125,7 +125,7 @@ pub struct Requested<'a, V, P> {
 /// Materials and friction of a wheel and a rail, and options of the computation. Zero is the
 /// default of every member but wheel_radius and shear_modulus.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelPair<F> {
     /// Radius of the wheel at z = 0 of its profile \[m\], > 0.
     pub wheel_radius: F,

@@ -172,6 +172,27 @@ impl<'a, F: Float> Scene<'a, F> {
     }
 }
 
+impl<F: Float> Workspace<F> {
+    /// An empty workspace: for a static, for a field, or for the heap, as in
+    /// `Box::new(Workspace::new())`.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            gap: Gap::nothing(),
+            strips: StoredPatch::nothing(),
+            contacts: [WheelContact::nothing(); KSTRIP_CONTACTS_CAPACITY],
+            count: 0,
+            reserved: 0,
+        }
+    }
+}
+
+impl<F: Float> Default for Workspace<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl<F> Workspace<F> {
     /// The contacts.
     #[must_use]

@@ -18,6 +18,20 @@ pub struct WheelsetWorkspace<F> {
     pub wheel: [Workspace<F>; 2],
 }
 
+impl<F: Float> WheelsetWorkspace<F> {
+    /// An empty workspace, as [`Workspace::new`].
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { wheel: [Workspace::new(); 2] }
+    }
+}
+
+impl<F: Float> Default for WheelsetWorkspace<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// Forces on a wheelset, on each wheel, and on each rail.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -32,6 +32,22 @@ pub struct Side<F> {
     pub motion: RailMotion<F>,
 }
 
+impl<F: Float> Side<F> {
+    /// The right side of a wheelset with equal wheels over a rail at rest: the distances \[m\], > 0,
+    /// of the wheel's running circle from the middle of the wheelset, and of the rail's origin from
+    /// the middle of the track.
+    #[must_use]
+    pub fn right(arm: F, origin: F) -> Self {
+        Self { arm, origin, excess: F::ZERO, rail: 6, motion: RailMotion::default() }
+    }
+
+    /// The left side, with the same two distances, > 0.
+    #[must_use]
+    pub fn left(arm: F, origin: F) -> Self {
+        Self { arm: -arm, origin: -origin, rail: 8, ..Self::right(arm, origin) }
+    }
+}
+
 /// Kinematics of a wheel over its rail at a position of the wheelset.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Kinematics<F> {

@@ -215,6 +215,7 @@ impl InRegisters for Precise {
 impl Float for Precise {
     type Contacts = Lanes<Self, 2>;
     type WideContacts = Lanes<Self, 2>;
+    const ZERO: Self = Self::Double(0.0);
     const ARTANH: &'static [Self] = &[];
     const ARCTAN: &'static [Self] = &[];
 

@@ -119,6 +119,43 @@ pub struct WheelContact<F> {
 }
 
 impl<F: Float> WheelContact<F> {
+    /// A contact without strips.
+    pub(super) const fn nothing() -> Self {
+        let (zero, none, places) = (F::ZERO, [F::ZERO; 6], [F::ZERO; KSTRIP_PATCH_CAPACITY]);
+        Self {
+            origin: [zero; 3],
+            angle: zero,
+            angle_range: zero,
+            radius: zero,
+            normal_force: zero,
+            share: zero,
+            approach: zero,
+            stiffness: zero,
+            along: zero,
+            normal: none,
+            slip_x: none,
+            slip_y: none,
+            spin_rate: none,
+            rolling_speed: none,
+            normal_damping: zero,
+            at_rest: Motion {
+                slip_x: zero,
+                slip_y: zero,
+                spin_rate: zero,
+                rolling_speed: zero,
+                floor_speed: zero,
+            },
+            patch: StoredPatch::nothing(),
+            own: zero,
+            strip_y: places,
+            strip_z: places,
+            strip_angle: places,
+            turned: [zero; 2],
+            left: 0,
+            reserved: 0,
+        }
+    }
+
     /// `B`: slip and spin rate by the wheel's velocity.
     pub(super) fn rows(&self) -> [[F; 6]; 3] {
         [self.slip_x, self.slip_y, self.spin_rate]

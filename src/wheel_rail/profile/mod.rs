@@ -37,6 +37,12 @@ pub struct PreparedProfile<F> {
     pub form: u32,
 }
 
+impl<F: Float> Default for PreparedProfile<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 /// A point of a curve and its derivative with respect to the length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CurvePoint<F> {
@@ -47,6 +53,24 @@ pub(crate) struct CurvePoint<F> {
 }
 
 impl<F: Float> PreparedProfile<F> {
+    /// A profile without points, which [`prepare`](Self::prepare) fills: for a static, for a field,
+    /// or for the heap, as in `Box::new(PreparedProfile::new())`. Functions that take it before
+    /// return [`Error::NotPrepared`].
+    #[must_use]
+    pub const fn new() -> Self {
+        let none = [F::ZERO; KSTRIP_SURFACE_CAPACITY];
+        Self {
+            y: none,
+            z: none,
+            cosine: none,
+            sine: none,
+            step: F::ZERO,
+            spacing: F::ZERO,
+            count: 0,
+            form: 0,
+        }
+    }
+
     /// Directions from five points, exact for polynomials of degree four; from three at the ends.
     pub(super) fn directions(&mut self) {
         let count = self.count as usize;

@@ -66,6 +66,23 @@ pub struct Gap<F> {
 type GapPoint<F> = [F; 7];
 
 impl<F: Float> Gap<F> {
+    /// A gap without points.
+    pub(super) const fn nothing() -> Self {
+        let none = [F::ZERO; KSTRIP_SURFACE_CAPACITY];
+        Self {
+            along: none,
+            distance: none,
+            x: none,
+            y: none,
+            z: none,
+            angle: none,
+            rolling_radius: none,
+            step: F::ZERO,
+            count: 0,
+            reserved: 0,
+        }
+    }
+
     /// The members, in their order.
     pub(super) fn lists(&self) -> [&[F; KSTRIP_SURFACE_CAPACITY]; 7] {
         let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
