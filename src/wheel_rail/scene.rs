@@ -179,7 +179,7 @@ impl<F: Float> Workspace<F> {
     pub const fn new() -> Self {
         Self {
             gap: Gap::nothing(),
-            strips: StoredPatch::nothing(),
+            strips: Patch::nothing(),
             contacts: [WheelContact::nothing(); KSTRIP_CONTACTS_CAPACITY],
             count: 0,
             reserved: 0,

@@ -145,7 +145,7 @@ impl<F: Float> WheelContact<F> {
                 rolling_speed: zero,
                 floor_speed: zero,
             },
-            patch: StoredPatch::nothing(),
+            patch: Patch::nothing(),
             own: zero,
             strip_y: places,
             strip_z: places,
