@@ -409,13 +409,24 @@ class Tests:
         self.drop(".row.file[data-key=wheel]", "metres.txt", "\n".join(f"{y * 1e-3:.8f} {z * 1e-3:.8f}".replace(".", ",") for y, z in profile("s1002")))
         assert "points in m" in self.page.inner_text("#wheel-wheel-notes")
         assert all(abs(one - other) < 1e-6 * 8e4 for one, other in zip(state()[0], built_in[0]))
+        # Tables: quoted, with a running number and names, with missing points, exponents of Fortran
+        table = profile("s1002")
+        tables = {
+            "quoted.csv": '"y","z"\n' + "\n".join(f'"{y}","{z}"' for y, z in table),
+            "named.csv": "n,z,y\n" + "\n".join(f"{n},{z},{y}" for n, (y, z) in enumerate(table)),
+            "missing.txt": "\n".join(f"{y} {z}" for y, z in [*table[:50], (-9999, -9999), *table[50:]]),
+            "fortran.txt": "\n".join(f"{y!r}D+00 {z!r}d0" for y, z in table),
+        }
+        for name, text in tables.items():
+            self.drop(".row.file[data-key=wheel]", name, text)
+            assert state() == built_in, (name, self.page.inner_text("#wheel-wheel-notes"))
         self.page.click(".row.file[data-key=wheel] .builtin")
         self.settle()
         assert state() == built_in
         # Bad files: a message that names the fault, and the profile stays
         bad = {
             "empty.txt": ("", "no pairs of numbers"), "letter.csv": ("1,2\n3,4\n5,x\n7,8\n9,10", "Line 3"),
-            "short.csv": ("1,2\n3,4\n5,6", "at least 4 points"), "same.csv": ("1,2\n1,2\n1,2\n1,2", "was not read. "),
+            "short.csv": ("1,2\n3,4\n5,6", "at least 4 points"), "three.csv": ("1,2,3\n2,3,4\n3,4,5\n4,5,6", "has 3 numbers"), "same.csv": ("1,2\n1,2\n1,2\n1,2", "was not read. "),
             "picture.png": ("\x89PNG\r\n\x1a\n\0\0", "no pairs of numbers"),
         }
         for name, (text, message) in bad.items():
