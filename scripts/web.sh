@@ -21,12 +21,11 @@ mkdir -p "$out"
 skip() { echo "SKIPPED: $*"; exit 77; }
 has() { command -v "$1" > /dev/null 2>&1; }
 
-# The features that these functions need.
-features=panic-handler,strip-1967,strip,total,linear,law,patches,wheels
-
 has "$PYTHON" || skip "the browser demo, because there is no python3"
 # The functions that the demo calls; everything else is left out of the link.
 exports=$("$PYTHON" web/calls.py)
+# The features of the library that these functions need.
+features=panic-handler,strip-1967,strip,total,linear,law,patches,wheels
 if ! has "$CARGO"; then skip "the browser demo, because there is no cargo"; fi
 
 # Whether rustup has the target, or can add it
@@ -35,7 +34,7 @@ by_rustup() {
     [ -d "$(rustc --print sysroot)/lib/rustlib/$triple" ] || timeout 120 rustup target add $triple > "$out/rustup.log" 2>&1
 }
 debian=/usr/bin/rustc
-# (in a target directory of its own, which cargo locks for it alone)
+# A target directory of its own: cargo locks it for this build alone.
 if by_rustup; then
     "$CARGO" rustc --locked --release --lib --crate-type staticlib --no-default-features --features $features --target $triple --target-dir "$out"
 elif [ -d "$($debian --print sysroot 2> /dev/null)/lib/rustlib/src/rust/library/core" ]; then
@@ -50,7 +49,7 @@ linker=$(has rustc && ls "$(rustc --print sysroot)"/lib/rustlib/*/bin/gcc-ld/was
 [ -n "$linker" ] || skip "the browser demo, because there is no wasm-ld: apt-get install lld"
 flags=
 for name in $exports; do flags="$flags --export=$name"; done
-# (the stack lies below all data, so that its overflow is a trap)
+# The stack lies below all data, so that its overflow is a trap.
 # shellcheck disable=SC2086
 "$linker" --no-entry --gc-sections --strip-all --stack-first -z stack-size=1048576 --export=__heap_base $flags \
     "$out/$triple/release/libkstrip.a" -o "$out/kstrip.wasm"

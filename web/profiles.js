@@ -42,8 +42,8 @@ function readProfile(text, isWheel) {
         z[i] *= 1e3;
     }
     notes.push(`${y.length} points in ${inMetres ? "m" : "mm"}`);
-    if (off > 0) notes.push(`${off} points that are switched off were left out`);
-    if (missing > 0) notes.push(`${missing} missing points (9999) were left out`);
+    if (off > 0) notes.push(`switched-off points left out: ${off}`);
+    if (missing > 0) notes.push(`missing points (9999) left out: ${missing}`);
     // Flange and sides of the head are far from the median and below
     const median = [...z].sort((p, q) => p - q)[z.length >> 1];
     if (median - least(z) > most(z) - median) {

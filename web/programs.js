@@ -63,8 +63,8 @@ ${bodies}
     contactInPython(v) {
         const n = this.inPython;
         const bodies = v.shape === "axes"
-            ? `contact = kstrip.contact(a=${n(v.a)}, b=${n(v.b)}, normal_force=${n(v.N)}, shear_modulus=pair["shear_modulus"],
-                         poisson_ratio=pair["poisson_ratio"], friction=${n(v.mu)}, mismatch=pair["mismatch"])`
+            ? `contact = kstrip.contact(a=${n(v.a)}, b=${n(v.b)}, normal_force=${n(v.N)}, shear_modulus=pair.shear_modulus,
+                         poisson_ratio=pair.poisson_ratio, friction=${n(v.mu)}, mismatch=pair.mismatch)`
             : `radii = kstrip.radii(lower_x=${n(v.lx)}, lower_y=${n(v.ly)}, upper_x=${n(v.ux)}, upper_y=${n(v.uy)})  # [m]
 contact, ellipse = kstrip.contact_from_hertz(radii, pair, load=${n(v.N)}, friction=${n(v.mu)})`;
         const law = v.law
@@ -79,9 +79,9 @@ creepage = kstrip.creepage(longitudinal=${n(v.vx)}, lateral=${n(v.vy)}, spin=${n
 ${law}
 for name in ("TOTAL", "STRIP", "STRIP_1967", "STRIP_1967_CONTINUOUS", "LINEAR"):
     found = kstrip.evaluate(contact, creepage, law, model=name.lower())
-    forces = {member: float(found.result[member]) for member in ("fx", "fy", "mz", "power", "adhesion")}  # on the rail, the lower body
-    print(name, "fx {fx!r} N, fy {fy!r} N, mz {mz!r} N m, power {power!r} N, adhesion {adhesion!r}, friction".format(**forces),
-          repr(float(found.friction)))
+    forces = found.result  # on the rail, the lower body
+    print(f"{name} fx {forces.fx!r} N, fy {forces.fy!r} N, mz {forces.mz!r} N m, power {forces.power!r} N, adhesion {forces.adhesion!r}, "
+          f"friction {found.friction!r}")
 `;
     },
 
@@ -156,13 +156,13 @@ pair = kstrip.wheel_pair(wheel_radius=${n(pair.wheel_radius)}, shear_modulus=${n
                          friction=${n(pair.friction)}, left=${pair.left ? "True" : "False"}, smoothing_length=${n(pair.smoothing_length)}, model="${v.m.toLowerCase()}")
 position = kstrip.wheel_position(lateral=${n(position.lateral)}, yaw=${n(position.yaw)})
 velocity = kstrip.wheel_velocity(forward=${n(velocity.forward)}, lateral=${n(velocity.lateral)}, pitch=${n(velocity.pitch)})
-position["vertical"] = kstrip.height_for_load(rail, wheel, pair, position, ${n(load)}, velocity)
+position.vertical = kstrip.height_for_load(rail, wheel, pair, position, ${n(load)}, velocity)
 found = kstrip.wheel_on_rail(rail, wheel, pair, position, velocity)
-print("vertical", repr(float(position["vertical"])), "m")
-print("force", *map(repr, found.wrench["force"].tolist()), "N")
-print("moment", *map(repr, found.wrench["moment"].tolist()), "N m")
+print("vertical", repr(position.vertical), "m")
+print("force", *map(repr, found.wrench.force.tolist()), "N")
+print("moment", *map(repr, found.wrench.moment.tolist()), "N m")
 for contact in found.contacts:
-    print("contact load", repr(float(contact["normal_force"])), "N, angle", repr(float(contact["angle"])), "rad")
+    print("contact load", repr(contact.normal_force), "N, angle", repr(contact.angle), "rad")
 `;
     },
 };

@@ -197,7 +197,8 @@ const wheelView = {
         contact.forces.forEach((force, k) => {
             const strip = contact.strips[k], sides = [strip.y - strip.width / 2, strip.y + strip.width / 2];
             const separatrix = Math.max(force.separatrix, strip.centre_x - strip.half_length), lead = strip.centre_x + strip.half_length;
-            const sticks = force.state === 1 && separatrix < lead;
+            // An area that is less than a unit of the picture long would be a mere line
+            const sticks = force.state === 1 && Math.abs(atY(lead) - atY(separatrix)) >= 1;
             if (!sticks || Math.abs(sides[0] - end) > 1e-3 * strip.width) close();
             if (!sticks) return;
             for (const side of sides) {
@@ -266,7 +267,7 @@ const wheelView = {
         const rows = [
             ["position y", "mm", (c) => (found.position.lateral + c.origin[1]) * 1e3], ["contact angle", "°", (c) => (c.angle * 180) / Math.PI],
             ["rolling radius", "mm", (c) => c.radius * 1e3], ["load", "kN", (c) => c.normal_force / 1e3],
-            ["share in the sum", "", (c) => c.share], ["area", "mm²", (c) => c.summary.area * 1e6], ["peak pressure", "MPa", (c) => c.peak / 1e6],
+            ["weight in the sum", "", (c) => c.share], ["area", "mm²", (c) => c.summary.area * 1e6], ["peak pressure", "MPa", (c) => c.peak / 1e6],
             ["longitudinal creepage", "%", (c) => c.creepages[0] * 100], ["lateral creepage", "%", (c) => c.creepages[1] * 100],
             ["spin", "1/m", (c) => c.creepages[2]], ["longitudinal creep force on the rail", "N", (c) => c.result.fx],
             ["lateral creep force on the rail", "N", (c) => c.result.fy], ["|F|/μN", "%", (c) => (100 * Math.hypot(c.result.fx, c.result.fy)) / c.summary.friction_bound],
