@@ -213,13 +213,13 @@ class Elements:
         return tuple(int(k) for k in np.unravel_index(i, self.shape)) if self.shape else None
 
     def _shown(self, i: int) -> str:
-        """The arguments of an element by name."""
+        """The arguments of an element by name; those that all elements share are left out."""
         lines = []
         for name, (kind, value) in self._arguments.items():
             if isinstance(value, Batch):
                 lines.append(f"{name}: {Batch(value.kind, np.broadcast_to(value.data, self.shape).reshape(-1))[i]}")
-            elif kind is not None:
-                lines.append(f"{name}: {np.broadcast_to(value, self.shape).reshape(-1)[i] if kind is float else value}")
+            elif kind is float and np.ndim(value):
+                lines.append(f"{name}: {np.broadcast_to(value, self.shape).reshape(-1)[i]}")
         return "\n".join(lines)
 
 

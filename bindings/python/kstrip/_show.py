@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import html
 from typing import Any, Iterable, Sequence
 
 import numpy as np
@@ -25,6 +24,8 @@ def lines(title: str, members: Iterable[tuple[str, str, str]]) -> str:
 
 def table(title: str, header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     """A table in HTML."""
+    import html  # (reads a table of names, which no other function needs)
+
     cells = ["".join(f"<th>{html.escape(word)}</th>" for word in header)]
     cells += ["".join(f"<td>{html.escape(word)}</td>" for word in row) for row in rows]
     body = "".join(f"<tr>{row}</tr>" for row in cells)
