@@ -68,6 +68,15 @@ def measured_curve():
     return drawn
 
 
+def crossing():
+    """The picture of docs/crossing.md, by the program of that page."""
+    program = re.search(r"```python\n(.*?)```", (ROOT / "docs" / "crossing.md").read_text(encoding="utf-8"), re.S)[1]
+    names = {}
+    os.chdir(ROOT)
+    exec(program, names)
+    return names["figure"]
+
+
 def bogie():
     """What the bogie in C prints, compiled here with cc."""
     with tempfile.TemporaryDirectory() as scratch:
@@ -94,7 +103,7 @@ def bogie():
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "figures" / "python"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, measured_curve, bogie):
+    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, measured_curve, crossing, bogie):
         with warnings.catch_warnings():
             # STRIP_1967 is shown beyond the range that its theory is for.
             warnings.simplefilter("ignore", kstrip.KstripWarning)

@@ -23,6 +23,7 @@ Functions by subject:
     creepage_from_velocities, parameters_from_creepage, creepage_from_parameters      their motion
     patch_from_profile, patch_from_strips, patch_from_contact, patch_summary          patches of any shape
     read_profile, read_profiles, oriented, write_profile                              profile files
+    Slices, read_slices, profile_between                                              crossings, wheels with flats
     prepare_profile, wheel_pair, wheel_position, wheel_velocity                       a wheel on a rail
     height_for_load, wheel_on_rail, wheel_motion                                      its height, its forces, its slip
     Wheelset, Track, wheelset_settle, wheelset_on_track, rail_motion                  a wheelset on a track
@@ -55,6 +56,7 @@ from ._bodies import (
 )
 from ._contacts import wheel_motion
 from ._files import Profile as Profile, oriented, read_profile, read_profiles, write_profile
+from ._files_slices import Slices as Slices, profile_between, read_slices
 from ._files_points import ProfileError as ProfileError, ProfileWarning as ProfileWarning
 from ._inputs import Model as Model
 from ._library import constants, dtypes, lib, models
@@ -122,7 +124,7 @@ __all__ = [
     # patches of any shape
     "patch_from_profile", "patch_from_strips", "patch_from_contact", "patch_summary",
     # a wheel on a rail
-    "read_profile", "read_profiles", "oriented", "write_profile", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
+    "read_profile", "read_profiles", "oriented", "write_profile", "read_slices", "profile_between", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
     "height_for_load", "wheel_on_rail", "wheel_motion",
     # a wheelset on a track
     "rail_motion", "curve", "gauge_face", "curve_motion", "wheelset_settle", "wheelset_on_track",

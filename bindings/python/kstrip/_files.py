@@ -75,7 +75,7 @@ def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, fl
     >>> wheel = profile.prepare()
     """
     wanted = _wanted(kind, units, columns, skip, missing, decimal)
-    return _profiles([_points(path, wanted)], kind, units, mirror_y, mirror_z, shift)[0]
+    return _profiles([_points(path, wanted)], kind, units, mirror_y, mirror_z, shift, 3)[0]
 
 
 def read_profiles(paths: Iterable[Path], *, kind: Optional[str] = None, units: Union[str, float, None] = None,
@@ -89,8 +89,19 @@ def read_profiles(paths: Iterable[Path], *, kind: Optional[str] = None, units: U
     >>> len(kstrip.read_profiles(sorted(pathlib.Path(".").glob("uic60*.csv")), kind="rail"))
     1
     """
+    return read_series(paths, False, kind, units, mirror_y, mirror_z, shift, columns, skip, missing, decimal)
+
+
+def read_series(paths: Iterable[Path], has_convention: bool, kind: Optional[str] = None, units: Union[str, float, None] = None,
+                mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, shift: Sequence[float] = (0.0, 0.0),
+                columns: Optional[Sequence[Union[int, str]]] = None, skip: int = 0,
+                missing: Union[None, str, float, Sequence[Union[str, float]]] = None, decimal: Optional[str] = None) -> list[Profile]:
+    """read_profiles(); with has_convention the list of the files says that z points down and the flange or the gauge side is at small y."""
     wanted = _wanted(kind, units, columns, skip, missing, decimal)
-    return _profiles([_points(path, wanted) for path in paths], kind, units, mirror_y, mirror_z, shift)
+    series = [_points(path, wanted) for path in paths]
+    for found in series:
+        found.has_convention |= has_convention
+    return _profiles(series, kind, units, mirror_y, mirror_z, shift, 4)
 
 
 def oriented(y: ArrayLike, z: ArrayLike, *, kind: Optional[str] = None, mirror_y: Optional[bool] = None,
@@ -109,7 +120,7 @@ def oriented(y: ArrayLike, z: ArrayLike, *, kind: Optional[str] = None, mirror_y
         raise ValueError(f"y and z have one dimension and one size: y {across.shape}, z {down.shape}")
     found = Points(pathlib.Path(name or "arrays"), "arrays", across, down, unit=1.0, unit_source="of arrays")
     _check(found)
-    made = _profiles([found], kind, None, mirror_y, mirror_z, (0.0, 0.0))[0]
+    made = _profiles([found], kind, None, mirror_y, mirror_z, (0.0, 0.0), 3)[0]
     return dataclasses.replace(made, name=name, source="")
 
 
@@ -152,8 +163,8 @@ def _check(found: Points) -> None:
 
 
 def _profiles(series: list[Points], kind: Optional[str], units: Union[str, float, None], mirror_y: Optional[bool], mirror_z: Optional[bool],
-              shift: Sequence[float]) -> list[Profile]:
-    """Profiles of a series of files; units, kind and direction are decided once."""
+              shift: Sequence[float], depth: int) -> list[Profile]:
+    """Profiles of a series of files; units, kind and direction are decided once. Warnings are those of the caller at a depth."""
     width = max((float(max(np.ptp(found.y), np.ptp(found.z))) for found in series), default=0.0)
     placed = []
     for found in series:
@@ -173,7 +184,7 @@ def _profiles(series: list[Points], kind: Optional[str], units: Union[str, float
         doubts = list(found.warnings)
         made.append(_profile(found, y, z, notes, doubts, shape, len(series) > 1, kind, mirror_y, mirror_z, shift))
         for doubt in doubts:
-            warnings.warn(f"{found.path}: {doubt}", ProfileWarning, stacklevel=3)
+            warnings.warn(f"{found.path}: {doubt}", ProfileWarning, stacklevel=depth)
     return made
 
 

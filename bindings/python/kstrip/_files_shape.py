@@ -24,7 +24,7 @@ _FLAT = 0.342
 #: Strength of evidence, 0 to 1, below which it is weak, and from which it overrules the convention of a format.
 WEAK, DECISIVE = 0.2, 0.6
 #: Most points that are used.
-_MOST = 5000
+_MOST = 500
 
 
 @dataclasses.dataclass

@@ -353,6 +353,72 @@ class Files(unittest.TestCase):
                 self.same(found, self.crossing(width), 1e-8)
                 self.assertIn("those of the series", "\n".join(found.notes))
 
+    def listed(self, name, head, places, profiles, form="txt"):
+        """A list of slices with its files in a folder beside it."""
+        (self.folder / "slices").mkdir(exist_ok=True)
+        lines = ["% a list of slices", head, f"  {len(places)}   NSLC", "  0 0 0   NFEAT, NKINK, NACCEL", "  1   S_METHOD", ""]
+        for k, (place, values) in enumerate(zip(places, profiles)):
+            text = simpack(values, False) if form == "prr" else [f"{y:.9f} {z:.9f}" for y, z in values]
+            (self.folder / "slices" / f"{k}.{form}").write_text("\n".join(text))
+            lines.append(f"  {place:.6f}  'slices/{k}.{form}'   % a comment")
+        path = self.folder / name
+        path.write_text("\n".join(lines) + "\n")
+        return path
+
+    def test_lists_of_slices(self):
+        widths = np.linspace(10.0, 30.0, 11)
+        profiles = []
+        for width in widths:
+            values = self.crossing(width)
+            length = np.concatenate(([0.0], np.hypot(*np.diff(values, axis=0).T).cumsum()))
+            fine = np.linspace(0.0, length[-1], 1000)
+            profiles.append(np.c_[np.interp(fine, length, values[:, 0]), np.interp(fine, length, values[:, 1])])
+        for form, head in (("prr", " 0.0 1.0  S_OFFSET [mm], S_SCALE [mm/mm]"), ("txt", " -0.5 1000.0")):
+            found = kstrip.read_slices(self.listed("a.slcs", head, np.linspace(0.5, 1.0, 11) if form == "txt" else np.linspace(0, 500, 11), profiles, form))
+            np.testing.assert_allclose(found.places, np.linspace(0.0, 0.5, 11), atol=1e-12)
+            self.assertEqual(repr(found), "Slices(11 profiles of a rail, 0 to 0.5 m)")
+            for profile, values in zip(found.profiles, profiles):
+                self.same(profile, values, 1e-8)
+            # Between two slices the surface is nearly that of the slice that was left out
+            coarse = kstrip.Slices(found.places[::2], found.profiles[::2])
+            for k in (1, 5, 9):
+                at, expected = coarse.at(found.places[k]), found.profiles[k].prepare()
+                across = np.linspace(-3e-3, 1e-3 * widths[k] - 3e-3, 50)
+                np.testing.assert_allclose(np.interp(across, at.y, at.z), np.interp(across, expected.y, expected.z), rtol=0, atol=2e-6)
+            # It is continuous, at the slices too
+            for place in (0.1, 0.123):
+                one, other = found.at(place - 1e-9), found.at(place + 1e-9)
+                np.testing.assert_allclose(one.y, other.y, rtol=0, atol=1e-8)
+                np.testing.assert_allclose(one.z, other.z, rtol=0, atol=1e-8)
+            for beyond in (-0.1, 0.6):
+                with self.assertRaisesRegex(ValueError, "the slices reach from 0 to 0.5 m"):
+                    found.at(beyond)
+
+    def test_a_wheel_with_a_flat(self):
+        wheel = points("s1002")
+        angles = np.linspace(-3.0, 3.0, 25)
+        flat = [wheel - np.c_[0 * wheel[:, :1], np.full((len(wheel), 1), 0.4 * max(0.0, 1 - (angle / 0.3) ** 2))] for angle in angles]
+        found = kstrip.read_slices(self.listed("flat.slcw", " 0.0 1.0   TH_OFFSET", angles, flat))
+        self.assertEqual((found.around, found.profiles[0].kind), (True, "wheel"))
+        zero = [float(np.interp(0.0, found.at(angle).y, found.at(angle).z)) for angle in (0.0, 2 * np.pi, 1.0, 3.1, -3.1)]
+        np.testing.assert_allclose(1e3 * np.array(zero), np.interp(0.0, *wheel.T) - np.array([0.4, 0.4, 0.0, 0.0, 0.0]), atol=1e-4)
+
+    def test_faults_of_lists_of_slices(self):
+        profiles = [self.crossing(10.0), self.crossing(12.0)]
+        path = self.listed("a.slcs", "0 1", [0.0, 1.0], profiles)
+        good = path.read_text()
+        for change, words in (("no numbers at all", "begins with offset and scale"), (good.replace("  2   NSLC", " 3   NSLC"), "promises 3 slices"),
+                              (good.replace("'slices/1.txt'", "slices/1.txt"), "a place and the name"), (good.replace("1.000000 ", "0.000000 "), "ascending")):
+            path.write_text(change)
+            with self.subTest(words), self.assertRaisesRegex(kstrip.ProfileError, words):
+                kstrip.read_slices(path)
+        profile = kstrip.read_profile(self.folder / "slices" / "0.txt", kind="rail", mirror_y=False)
+        for places, around in (([0.0], False), ([0.0, 0.0], False), ([0.0, 7.0], True)):
+            with self.assertRaises(ValueError):
+                kstrip.Slices(places, [profile] * 2, around)
+        with self.assertRaisesRegex(ValueError, "share"):
+            kstrip.profile_between(profile.prepare(), profile.prepare(), 1.5)
+
     def test_a_series_has_one_decision(self):
         """Slices that alone are symmetric or nearly flat stand as the clear ones."""
         rail = points("uic60")
