@@ -9,7 +9,7 @@ use heapless::VecView;
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 
 /// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
-/// need no memory for more. (In a browser one code for all counts takes less to load.)
+/// need no memory for more. In a browser there is one code for all counts, which loads faster.
 pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CELLS } else { 36 };
 
 /// `c` over the width.

@@ -92,7 +92,8 @@ impl<F: Float, const N: usize> Zones<F, N> {
         Self { list, places, per_deep, reach, variation, last, begun, joined }
     }
 
-    /// Number of lobes: half the variation of the depth. (A zone may end with the profile, deep.)
+    /// Number of lobes: half the variation of the depth. A zone may end with the
+    /// profile while it is deep.
     pub fn lobes(&self) -> Dual<F, N> {
         (self.variation + size(self.last)).times(0.5)
     }

@@ -154,7 +154,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
         for (order, &k) in touching.iter().enumerate() {
             let Some(mut pivot) = self.rows.get(k).map(|row| row.factors) else { return };
             let inverse = F::one() / pivot.get(k).copied().unwrap_or(F::one());
-            // (before the diagonal there are factors)
+            // before the diagonal stand factors
             for entry in pivot.iter_mut().take(k + 1).skip(k / 4 * 4) {
                 *entry = F::zero();
             }

@@ -54,7 +54,7 @@ const EDGES: usize = 2 * (MOST + ZONES);
 const FOURS: usize = EDGES.div_ceil(4);
 
 impl<F: Float, const N: usize> Estimate<F, N> {
-    /// The load alone. (Out of line, so that only this function keeps the edges.)
+    /// The load alone. It stays out of line, so that the edges take room on the stack only here.
     #[inline(never)]
     pub fn load(
         curve: &SmoothedProfile<F, N>,
@@ -96,7 +96,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
             let half = place.width.times(0.5);
             let (lower, upper) = (place.y - half, place.y + half);
             let close = half.value.times(1e-4);
-            // (neighbours share an edge)
+            // neighbours share an edge
             match edges.last_mut() {
                 Some((edge, growth)) if (edge.value - lower.value).abs() <= close => *growth += q,
                 _ => {
@@ -177,7 +177,8 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 }
 
-/// Lays cells out where the curve is below a level. (Out of line: the zones need not be kept.)
+/// Lays cells out where the curve is below a level. It stays out of line, because the
+/// zones are not needed afterwards.
 #[inline(never)]
 fn place_loads<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>,

@@ -106,7 +106,7 @@ pub(super) fn zero_of<F: Float, const N: usize>(
     let plain = |t: F| of(Dual::from_base(t)).map(|x| x.value);
     let t = root(Bracket { negative, positive }, plain);
     let [value, slope] = of(Dual::from_base(t));
-    // (the width of a zone that just appears grows infinitely fast, and carries nothing)
+    // the width of a zone that just appears grows infinitely fast, and the zone carries nothing
     let steep = if slope.value.abs() > F::TINY { F::one() / slope.value } else { F::zero() };
     Dual { value: t, gradient: value.gradient.map(|d| -(d * steep)) }
 }

@@ -92,7 +92,7 @@ impl<F: Float> Indentation<F> {
         count: StripCount,
         cells: &mut Cells<F, 1>,
     ) -> Result<Self, Error> {
-        // (the first guess of the approach takes a radius)
+        // the first guess of the approach requires a radius
         let radii = profile.rolling_radius;
         let rolling_radius = radii.first().copied().unwrap_or(contact.rolling_radius);
         let contact = &ProfileContact { rolling_radius, ..*contact };
@@ -132,7 +132,7 @@ impl<F: Float> Indentation<F> {
             return Ok(Self::none(profile));
         }
         let radius = |loads: &mut dyn Iterator<Item = [Dual<F, N>; 2]>| {
-            // (of nothing that of the contact)
+            // without load the radius is that of the contact
             let tiny = Dual::from_base(F::TINY);
             let (mut sum, mut moment) = (tiny, tiny * Dual::from_base(contact.rolling_radius));
             for [y, load] in loads {
@@ -144,7 +144,7 @@ impl<F: Float> Indentation<F> {
         let given = Given::Approach(approach);
         let outline =
             Outline::with_cells(profile, contact, curve, (given, approach), radius, count, cells);
-        // (an overlap of a few roundings may be narrower than rounding)
+        // an overlap of a few roundings may have no width
         if cells.list.is_empty() {
             return Ok(Self::none(profile));
         }
@@ -164,7 +164,7 @@ impl<F: Float> Indentation<F> {
         let (by_load, by_approach) = (pressed.derivative(0), load.derivative(0));
         let modulus = contact.modulus().times(PI);
         let found = Self {
-            // (of a profile at the ends of the number range rounding leaves less than nothing)
+            // for a profile at the ends of the number range rounding may make this negative
             approach: pressed.value.max(F::zero()),
             normal_force: load.value * modulus,
             stiffness: match given {

@@ -187,7 +187,7 @@ pub(super) fn spacings_at_ends<T: Arithmetic>(y: [T; 6]) -> [T; 2] {
     });
     let [one, two, three, four, five] = gaps;
     [[one, two, three, four], [two, three, four, five]].map(|gaps| {
-        // (the mean of the gaps weighted with their lengths does not jump where two points merge)
+        // the mean of the gaps weighted with their lengths does not jump where two points merge
         let (mut squares, mut length) = (T::zero(), T::tiny());
         for gap in gaps {
             squares += gap.squared();

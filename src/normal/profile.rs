@@ -84,7 +84,7 @@ impl<'a, F: Float> Profile<'a, F> {
     /// `y`, so that they stand still while a wheel sinks into two contacts far from each other.
     pub(crate) fn of_surfaces(mut self, step: F, fade: [F; 2]) -> Self {
         (self.step, self.fade) = (step, Some(fade));
-        // (there are numbers of knots up to here)
+        // knots beyond 1e6 steps would have no exact number
         if self.middle.abs() < step.times(1e6) {
             self.middle = F::zero();
         }
@@ -239,7 +239,7 @@ pub(super) fn invert<F: Float>(
             return None;
         }
         let excess = found.value.ln_quotient(target.value);
-        // (over a step of the function the brackets close)
+        // the bracket closes around a step of the function
         let closed = bracket.width() <= x * F::EPSILON.times(8.0);
         if excess.abs() <= close || closed || step == STEPS {
             let inverse = F::one() / slope;
@@ -249,7 +249,7 @@ pub(super) fn invert<F: Float>(
             return Some((Dual { value, gradient }, step));
         }
         bracket.narrow(x, excess);
-        // (a function of x^p between x^(1/2) and x^8)
+        // the exponent p of a function like x^p lies between 1/2 and 8
         let power = (slope * x / found.value).max(F::of(0.5)).min(F::of(8.0));
         let next = x * (-excess / power).max(F::of(-3.0)).min(F::of(3.0)).exp();
         x = if bracket.holds(next) { next } else { bracket.ratio_middle() };

@@ -89,7 +89,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     #[inline(never)]
     pub(super) fn skew(&mut self, given: Given<Dual<F, N>>) -> Dual<F, N> {
         let [zero, one] = [Dual::zero(), Dual::one()];
-        // (the factors grow with the square of the skew)
+        // without skew all factors are one, and they grow with its square
         if self.list.iter().all(|cell| cell.centre_x.value == F::zero()) {
             return one;
         }

@@ -89,7 +89,7 @@ impl<F: Float, const N: usize> Grid<F, N> {
             let steps = (end - middle) / step.value;
             let inside = steps.plus(-STUB * outward);
             let whole = F::widened(inside.whole() as f32);
-            // (the whole part is rounded toward zero)
+            // the whole part is rounded toward zero
             let short = (inside - whole).times(outward) < F::zero();
             inside.whole() + if short { 0 } else { outward as i32 }
         };
@@ -196,7 +196,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         self.length = length.squared().shift(floor * floor).sqrt();
         let mut step = self.length.times(1.0 / knots);
         let least = Dual::from_base(whole.times(1.0 / PIECES));
-        // (a profile at the ends of the number range may be narrower than its steps can be)
+        // a profile at the ends of the number range may be narrower than the least step
         step = step.max(least).max(Dual::tiny());
         let share = 1.0 / (KNOTS as f64 * ROOM);
         if whole.times(share) > step.value {
@@ -279,7 +279,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         self.knots.clear();
         let grid = Grid::new(profile, step);
         let [low_end, high_end] = grid.numbers;
-        // (points are farther apart in places)
+        // points may be farther apart than the steps
         let reach = step.value.times(KNOTS_OF_SURFACES * 1.25);
         let [.., none] = profile.fade.unwrap_or([F::zero(); 2]);
         let point = |k: usize| Some((*profile.y.get(k)?, *profile.distance.get(k)?));

@@ -102,7 +102,7 @@ impl<F: Float> Scene<'_, F> {
         // of a sphere with the wheel's radius: N = (4/3) E* √R δ^(3/2)
         let modulus = self.pair.shear_modulus / (F::one() - self.pair.poisson_ratio);
         let expected = straight(support.times(0.75) / (modulus * self.pair.wheel_radius.sqrt()));
-        // (NaN is not below)
+        // NaN compares as not below
         let is_possible = expected < self.pair.wheel_radius.times(DEEPEST);
         Error::Overflow.unless(is_possible && wanted.is_finite_number())?;
         let [touches, per_normal] = self.first_touch(position)?;
@@ -145,7 +145,7 @@ impl<F: Float> Scene<'_, F> {
                         let warning = if is_close { warning } else { Warning::NotConverged };
                         return Ok((here, warning));
                     }
-                    // (a secant that does not close in is followed by halves)
+                    // a secant that does not close in is followed by halvings
                     let inside = next.filter(|next| *next > high && *next < low);
                     if tried % 8 == 7 { middle } else { inside.unwrap_or(middle) }
                 }

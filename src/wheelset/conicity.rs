@@ -174,7 +174,7 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
         let mut sum = F::zero();
         for k in 0..PLACES {
             let angle = F::widened(k as f32).plus(0.5).times(EACH);
-            // (sines of at most 1.6)
+            // the angle is at most 1.6
             let (sine, cosine) = sine_cosine(angle.plus(-core::f64::consts::FRAC_PI_2));
             let (sine, cosine) = (cosine, -sine);
             let place = middle + amplitude * cosine;

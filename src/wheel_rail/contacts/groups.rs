@@ -81,7 +81,7 @@ impl<F: Float> Overlaps<F> {
         zones
     }
 
-    /// Adds the next zone. (Without room it is part of the last.)
+    /// Adds the next zone; if there is no room, it becomes part of the last.
     pub fn push(&mut self, zone: Overlap<F>) {
         if let Err(zone) = self.list.push(zone)
             && let Some(last) = self.list.last_mut()

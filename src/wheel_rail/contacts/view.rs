@@ -179,7 +179,7 @@ impl<'a, F: Float> View<'a, F> {
             given: Given::Approach(approach),
             shear_modulus,
             poisson_ratio,
-            // (each strip gets that of its place on the rail)
+            // each strip gets the friction at its place on the rail
             friction: F::zero(),
             smoothing_length,
         }

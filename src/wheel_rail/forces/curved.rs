@@ -74,7 +74,7 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
                 let [x, y, spin] = rows_of_strip(contact, &axes, number);
                 if is_turned { [x.map(|x| -x), y.map(|y| -y), spin] } else { [x, y, spin] }
             };
-            // (a rail that moves)
+            // slip of a rail that moves
             let Motion { slip_x, slip_y, spin_rate, .. } = contact.at_rest;
             let rest = if is_turned { [-slip_x, -slip_y] } else { [slip_x, slip_y] };
             let [longitudinal, lateral] = rest.map(|slip| slip / rolling.speed);

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! The damping `d` multiplies the pressure by `m`, as Hunt and Crossley have it, and with the
-//! pressure the friction bound of every strip. (The contact area stays that of the pressure alone.)
+//! pressure the friction bound of every strip. The contact area stays that of the
+//! pressure without damping.
 
 use super::curved::{self, Creep};
 pub use super::ends::Law;

@@ -282,7 +282,7 @@ impl<'a, F: Float> Knots<'a, F> {
             if x >= F::one() {
                 break;
             }
-            // (those that are nearly at the same place count once)
+            // points at nearly the same place count once
             if x > last.plus(DISTINCT) {
                 (count, last) = (count + 1, x);
             }

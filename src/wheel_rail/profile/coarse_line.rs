@@ -97,7 +97,7 @@ impl<F: Float> Polyline<F> {
     pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
         let mut radius = extent.times(FINEST);
         for _ in 0..ATTEMPTS {
-            // (the other way round a stray at the beginning is one at the end)
+            // in the opposite order a stray at the beginning is one at the end
             for backward in [false, true] {
                 let is_tried = !backward || y.len() >= STRAYS;
                 if !(is_tried && self.cover(y, z, backward, radius) && self.is_smooth()) {
@@ -151,7 +151,7 @@ impl<F: Float> Polyline<F> {
                 break;
             }
         }
-        // (strays at the end have taken the place of the points before them)
+        // strays at the end have taken the place of the points before them
         self.count >= 2 && (self.count == all || self.extend(y, z, backward, radius))
     }
 

@@ -82,7 +82,7 @@ pub(super) trait Points<F: Float> {
         let count = chords.plus(0.5).whole().clamp(FEWEST, most);
         let whole = F::widened(count as f32);
         let mut length = wanted * (chords / whole);
-        // (the largest difference of a chord but the last from the others, as a share)
+        // the largest difference of the last chord from the others, as a share
         let walk = |length: F| {
             let (mut begin, mut unequal) = (None::<[F; 2]>, F::zero());
             let chords = self.walk_in_chords(length, |k, end| {
@@ -100,7 +100,7 @@ pub(super) trait Points<F: Float> {
             length = length * (chords / whole);
         }
         if unequal > F::of(UNEVEN) {
-            // (a slightly different length may lead to other chords)
+            // a slightly different length may lead to other chords
             (_, unequal) = walk(length);
         }
         let are_equal = unequal < F::of(UNEQUAL);

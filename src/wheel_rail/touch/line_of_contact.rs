@@ -37,7 +37,7 @@ pub(crate) struct Turn<F> {
 
 impl<F: Float> Turn<F> {
     pub fn new(position: &Position<F>) -> Self {
-        // (no quotients of numbers that have lost their digits)
+        // denormal angles would lose their digits in quotients
         let clear = |angle: F| if angle.abs() < F::TINY { F::zero() } else { angle };
         let [roll, yaw] = [position.roll, position.yaw].map(|angle| sine_cosine(clear(angle)));
         Self { roll, yaw }

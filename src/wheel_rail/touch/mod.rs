@@ -169,7 +169,7 @@ impl<F: Float> Above<'_, F> {
         let GapSearch { wheel, turned, position, .. } = self.search;
         let Position { lateral, vertical, .. } = *position;
         let zero = F::zero();
-        // (where there is no place, one at which no wheel touches)
+        // a lane without a place has one at which no wheel touches
         let found = places.map(|(k, share)| wheel.place(k, share));
         let of = |member: fn(&CurvePoint<F>) -> F| {
             P::gather(|i| found.get(i).and_then(Option::as_ref).map_or(zero, member))

@@ -36,7 +36,7 @@ pub(super) struct Rail<'a, F> {
     pub looks_at_all: bool,
 }
 
-/// Points of a rail, seen from the points above them.
+/// The points of a rail below other points.
 pub(super) struct Foot<P> {
     /// Places along the rail \[m\].
     pub along: P,
@@ -70,7 +70,7 @@ impl<'a, F: Float> Rail<'a, F> {
         let Some((place, away)) = self.outside.take() else { return };
         let free = away.sqrt().times(1.0 - 1e-3) - self.reach - self.surface.step;
         self.free = (place, free.max(F::zero()).squared());
-        // (the nearest point of the rail is looked for again)
+        // the nearest point of the rail is searched from the beginning
         if free > F::zero() {
             self.nearest = None;
         }
@@ -134,7 +134,7 @@ impl<'a, F: Float> Rail<'a, F> {
             return None;
         }
         self.faced = true;
-        // (however deep it is in the rail)
+        // a point inside the rail counts at any depth
         let is_near = away <= (self.reach + self.surface.step).squared();
         (is_near || is_inside).then_some(under)
     }
@@ -161,7 +161,7 @@ impl<'a, F: Float> Rail<'a, F> {
             let slope = square - (e_y * rail_y.bend + e_z * rail_z.bend);
             let ahead = (e_y * rail_y.slope + e_z * rail_z.slope) / slope.max(square.times(0.5));
             u = (u + ahead).max(P::zero()).min(P::one());
-            // (the next step would be less than the square of this one)
+            // the next step would be less than the square of this one
             if !P::any_exceeds([ahead.abs()], [P::constant(CLOSE)]) {
                 break;
             }
