@@ -56,7 +56,7 @@ def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, fl
 
     Formats: SIMPACK and CONTACT (.prw, .prr), MiniProf (.whl, .ban, .mpt), Vampire (.whe, .rai), DXF (with the package ezdxf), JSON
     with y and z, and tables of text and CSV. The convention of the format decides which way the points stand. If it has none, or `kind`
-    contradicts it, the shape of the tread or of the head decides. `notes` say what was found and changed.
+    contradicts it, the shape of the tread or of the head decides. `notes` list findings and changes.
 
     kind: "wheel" or "rail"; None: as header, extension or shape say.
     units: of the file: "mm", "m", "cm", "in" or metres per unit; None: as header or size say.
