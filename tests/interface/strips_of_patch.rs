@@ -148,3 +148,35 @@ fn bad_creepages_of_strips_are_refused() {
         }
     }
 }
+
+/// The strips of unlike bodies with a layer between them add up to the forces: the law multiplies
+/// stiffness and mismatch alike.
+#[test]
+fn strips_of_unlike_bodies_under_a_law_add_up() {
+    let contact = kstrip_contact { b: 4e-3, mismatch: 0.3, ..C0 };
+    for layer in [0.0, 1e-14] {
+        let law = kstrip_friction { slope_factor: 0.4, layer, ..falling() };
+        let (mut result, mut count) = (MaybeUninit::uninit(), MaybeUninit::uninit());
+        let mut strips = [const { MaybeUninit::<kstrip_strip>::uninit() }; 16];
+        let outputs = kstrip_outputs {
+            result: result.as_mut_ptr(),
+            strips: strips[0].as_mut_ptr(),
+            capacity: 16,
+            count: count.as_mut_ptr(),
+            ..nowhere()
+        };
+        let (motion, law) = (Some(&MOTION), Some(&law));
+        // SAFETY: each pointer is NULL or valid.
+        let (status, result, count, strips) = unsafe {
+            let to = Some(&outputs);
+            let status = kstrip_evaluate(Some(&contact), motion, law, Some(&STRIP), to);
+            assert!(status >= 0, "{status}");
+            (status, result.assume_init(), count.assume_init(), strips.map(|s| s.assume_init()))
+        };
+        assert_eq!(count, 16, "{status}");
+        let sum = |of: fn(&kstrip_strip) -> f64| strips.iter().map(of).sum::<f64>();
+        assert_relative_eq!(sum(|s| s.fx), result.fx, max_relative = 1e-12);
+        assert_relative_eq!(sum(|s| s.fy), result.fy, max_relative = 1e-12);
+        assert_relative_eq!(sum(|s| s.power), result.power, max_relative = 1e-12);
+    }
+}

@@ -341,9 +341,8 @@ unsafe fn evaluate(
     };
     let mut warning = solution.warning;
     if !outputs.strips.is_null() {
-        let stiffness = law.map_or(1.0, SlipFriction::slope_or_one);
-        let shear_modulus = contact.shear_modulus * stiffness;
-        let contact = &Contact { friction, shear_modulus, ..*contact };
+        let contact = law.map_or(*contact, |law| law.contact(contact));
+        let contact = &Contact { friction, ..contact };
         // SAFETY: the caller's promise.
         let of_strips = unsafe { evaluate_strips(contact, creepage, law, options, outputs) };
         warning = warning.worse(of_strips?);
