@@ -44,6 +44,9 @@ one and the results of the others; with on_error="nan" they become NaN. Warnings
 and in the member `status_detail` of each result. Single precision is used if all batches and profiles are single (`dtype=np.float32`).
 """
 
+import importlib
+from typing import TYPE_CHECKING, Any
+
 from ._batch import Batch as Batch
 from ._bodies import (
     combine,
@@ -55,9 +58,6 @@ from ._bodies import (
     parameters_from_creepage,
 )
 from ._contacts import wheel_motion
-from ._files import Profile as Profile, oriented, read_profile, read_profiles, write_profile
-from ._files_slices import Slices as Slices, profile_between, read_slices
-from ._files_points import ProfileError as ProfileError, ProfileWarning as ProfileWarning
 from ._inputs import Model as Model
 from ._library import constants, dtypes, lib, models
 from ._patches import patch_from_contact, patch_from_profile, patch_from_strips, patch_summary
@@ -108,6 +108,11 @@ from ._wheelset import (
 )
 from .values import *  # noqa: F403
 
+if TYPE_CHECKING:
+    from ._files import Profile as Profile, oriented, read_profile, read_profiles, write_profile
+    from ._files_points import ProfileError as ProfileError, ProfileWarning as ProfileWarning
+    from ._files_slices import Slices as Slices, profile_between, read_slices
+
 __version__: str = lib.kstrip_version_string().decode()
 #: States of the points of field()
 OUTSIDE, STICK, SLIP, SLIP_NEGATIVE_DISSIPATION = range(4)
@@ -124,7 +129,8 @@ __all__ = [
     # patches of any shape
     "patch_from_profile", "patch_from_strips", "patch_from_contact", "patch_summary",
     # a wheel on a rail
-    "read_profile", "read_profiles", "oriented", "write_profile", "read_slices", "profile_between", "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
+    "read_profile", "read_profiles", "oriented", "write_profile", "read_slices", "profile_between",
+    "prepare_profile", "wheel_pair", "wheel_position", "wheel_velocity",
     "height_for_load", "wheel_on_rail", "wheel_motion",
     # a wheelset on a track
     "rail_motion", "curve", "gauge_face", "curve_motion", "wheelset_settle", "wheelset_on_track",
@@ -134,3 +140,21 @@ __all__ = [
     # the C library
     "lib", "constants", "dtypes", "models", "__version__",
 ]
+
+
+#: What reads profile files is imported when it is used first: it would double the time of `import kstrip`.
+_OF_FILES = {
+    **dict.fromkeys(("Profile", "oriented", "read_profile", "read_profiles", "write_profile"), "_files"),
+    **dict.fromkeys(("ProfileError", "ProfileWarning"), "_files_points"),
+    **dict.fromkeys(("Slices", "profile_between", "read_slices"), "_files_slices"),
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _OF_FILES:
+        raise AttributeError(f"module 'kstrip' has no attribute {name!r}")
+    return getattr(importlib.import_module(f".{_OF_FILES[name]}", __name__), name)
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *_OF_FILES]

@@ -46,7 +46,7 @@ CONTACT = kstrip.contact(**STEEL)
 VELOCITY = kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46)
 
 #: Public functions and classes
-PUBLIC = {name: value for name, value in vars(kstrip).items()
+PUBLIC = {name: value for name, value in ((name, getattr(kstrip, name)) for name in dir(kstrip))
           if not name.startswith("_") and (inspect.isfunction(value) or inspect.isclass(value)) and value.__module__.startswith("kstrip")}
 
 
