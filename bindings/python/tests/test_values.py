@@ -137,7 +137,7 @@ class PublicObjects(unittest.TestCase):
                 continue
             for name in inspect.signature(kind).parameters:
                 self.assertTrue(hasattr(thing, name), f"{kind}.{name}")
-                self.assertTrue(kind is kstrip.Batch or re.search(rf"\b{name}\b", repr(thing)) or kind is kstrip.Profile, f"{kind}.{name} in {thing!r}")
+                self.assertTrue("__repr__" in vars(kind) or re.search(rf"\b{name}\b", repr(thing)), f"{kind}.{name} in {thing!r}")
 
     def test_they_survive_pickle_and_copy(self):
         for kind, thing in OBJECTS.items():
