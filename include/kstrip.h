@@ -28,9 +28,12 @@
  * ## Conventions
  *
  * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
- *   error with outputs untouched. kstrip_status_string() says in English what to change.
+ *   error with outputs untouched. kstrip_status_string() says in English what to change. A workspace, and the contacts of
+ *   kstrip_contacts_from_gap(), are memory of the computation and may change before an error. Where a function writes an array
+ *   statuses, only the outputs of the elements with an error are untouched, and the others have their results.
+ * - An implausible input alone is a warning. Where it leads to an error, the error is the one that names the likely cause.
  * - Where more than one warning holds, the most serious is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
- *   CREEPAGE_AT_LEAST, then implausible inputs (PRESSURE to RADIUS), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
+ *   CREEPAGE_AT_LEAST, then implausible inputs (such as PRESSURE, RADIUS, YOUNG), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
  * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
  * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
  *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
@@ -136,7 +139,10 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_ORIENTATION 21
 /** Warning: implausible profile, longer than 1 m: it is probably in mm. */
 #define KSTRIP_WARNING_PROFILE_SIZE 22
-/** Warning: implausible shear modulus, below 0.1 MPa: it is probably in MPa or GPa. */
+/**
+ * Warning: implausible shear modulus, below 0.1 MPa or above 10 TPa: it is probably in another
+ * unit than Pa.
+ */
 #define KSTRIP_WARNING_MODULUS 23
 /** Warning: friction and Poisson's ratio of a wheel and a rail are both 0. */
 #define KSTRIP_WARNING_UNSET 24
@@ -153,6 +159,17 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_PROFILE_COARSE 26
 /** Warning: a contact has more lobes than its strips tell apart, and its load may jump. */
 #define KSTRIP_WARNING_ROUGH 27
+/**
+ * Warning: implausible curvature of the track, above 0.2 per m: it is probably the radius of the
+ * curve.
+ */
+#define KSTRIP_WARNING_CURVATURE 28
+/** Warning: implausible shear modulus, above 150 GPa: it is probably Young's modulus E. */
+#define KSTRIP_WARNING_YOUNG 29
+/** Warning: implausible slope factor, fitted below 0.05: the creepages are probably in per cent. */
+#define KSTRIP_WARNING_PER_CENT 30
+/** Warning: implausible damping, which more than doubles the pressure: it is probably in N s/m. */
+#define KSTRIP_WARNING_DAMPING 31
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -160,10 +177,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_NOT_FINITE -2
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
-/**
- * Error: the normal force of a profile or of a contact of a wheel, or the share of such a contact,
- * is negative, or the requested support of a wheel is not positive.
- */
+/** Error: the normal force of a profile or of a contact of a wheel is negative. */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
 /** Error: a modulus of elasticity is not positive. */
 #define KSTRIP_ERROR_MODULUS -5
@@ -227,6 +241,13 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_FIT_PARAMETERS -28
 /** Error: the weight of a measured point is negative. */
 #define KSTRIP_ERROR_WEIGHT -29
+/** Error: the model, or its falling friction or layer, was left out of this build of the library. */
+#define KSTRIP_ERROR_MODEL_LEFT_OUT -30
+/**
+ * Error: the wheel finds no support, and the shear modulus is below 0.1 MPa: it is probably in MPa
+ * or GPa.
+ */
+#define KSTRIP_ERROR_MODULUS_UNIT -31
 /** Error: a strip of a patch has a width or half length that is not positive. */
 #define KSTRIP_ERROR_STRIP_SIZE -40
 /** Error: the peak pressure of a strip is negative. */
@@ -251,13 +272,38 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SCATTER -48
 /** Error: the damping of the pressure is negative. */
 #define KSTRIP_ERROR_NORMAL_DAMPING -49
+/** Error: the share of a contact of a wheel is negative. */
+#define KSTRIP_ERROR_SHARE -50
+/** Error: the requested support of a wheel, or the vertical load of a wheelset, is not positive. */
+#define KSTRIP_ERROR_SUPPORT -51
+/**
+ * Error: a yaw, roll or cant is 1 rad or more, or a yaw or roll is above 0.2 rad where the wheel
+ * is beside the rail: angles are in radians, and this angle is probably in degrees.
+ */
+#define KSTRIP_ERROR_ANGLE -52
+/**
+ * Error: the wheel is more than 0.7 m beside the rail or 5 m above or below it, its radius is
+ * above 5 m, or a profile is longer than 1 m: a position, a gauge, a distance of the wheels or a
+ * profile is probably in mm.
+ */
+#define KSTRIP_ERROR_LENGTH_UNIT -53
+/**
+ * Error: the wheel is beside the rail, and the profile of the rail has a flange while that of the
+ * wheel has the head of a rail: wheel and rail are probably swapped.
+ */
+#define KSTRIP_ERROR_SWAPPED -54
+/**
+ * Error: the wheel is beside the rail, and a profile is upside down, the wrong way round, or not
+ * that of a wheel or a rail.
+ */
+#define KSTRIP_ERROR_ORIENTATION -55
 /** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
 #define KSTRIP_ERROR_GAUGE -60
 /** Error: no position of the wheelset balances the loads while both wheels touch. */
 #define KSTRIP_ERROR_WHEEL_LIFTED -61
 /**
- * Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii do not
- * bring the wheelset back.
+ * Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii turn
+ * the wheelset away from the middle.
  */
 #define KSTRIP_ERROR_CONICITY -62
 
@@ -1532,8 +1578,9 @@ typedef struct kstrip_surface {
     /** Number of points, 4 to KSTRIP_SURFACE_CAPACITY. */
     uint32_t count;
     /**
-     * What the shape tells: 0 nothing, or a sum of 1 (it is not the profile of a wheel), 2 (it is
-     * not the profile of a rail) and 4 (it has few points, and is not smooth between them).
+     * The form of the profile: 0, or a sum of 1 (it is not that of a wheel), 2 (it is not that of
+     * a rail), 4 (it has few points, and is not smooth between them), 8 (it has the tip of a
+     * flange) and 16 (it goes down on both sides as the head of a rail).
      */
     uint32_t form;
 } kstrip_surface;
@@ -1662,7 +1709,8 @@ typedef struct kstrip_gap {
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
  *                        and reach where no point is nearer; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
- *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+ *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail), or
+ *         the error that names its likely cause, as in kstrip_wheel_on_rail().
  */
 kstrip_status kstrip_touch(const struct kstrip_surface *rail,
                            const struct kstrip_surface *wheel,
@@ -1827,8 +1875,8 @@ typedef struct kstrip_wheel_contact {
  * @param pair            materials, friction, side.
  * @param position        where the wheel is.
  * @param workspace       memory for the strips of a contact; it may hold anything.
- * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After
- *                        an error some may have been written; count has not.)
+ * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
+ *                        memory of the computation too: after an error it may have changed.
  * @param[out] count      receives their number; 0: the wheel is lifted.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
  *         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
@@ -2006,8 +2054,11 @@ typedef struct kstrip_wrench_by_position {
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
  *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
  *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
- *         KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET, KSTRIP_WARNING_PRESSURE for implausible
- *         inputs; or a status of one of these functions.
+ *         KSTRIP_WARNING_YOUNG, KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET,
+ *         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_DAMPING for implausible inputs; or a status of
+ *         one of these functions. An error of implausible inputs is the one that names their
+ *         likely cause: KSTRIP_ERROR_ANGLE, KSTRIP_ERROR_LENGTH_UNIT, KSTRIP_ERROR_MODULUS_UNIT,
+ *         KSTRIP_ERROR_SWAPPED, KSTRIP_ERROR_ORIENTATION.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    const struct kstrip_surface *wheel,
@@ -2085,7 +2136,7 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
  * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
  *         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
  *         exceeds a twentieth of the shear modulus);
- *         KSTRIP_ERROR_NORMAL_FORCE (support), or a status of kstrip_wheel_on_rail().
+ *         KSTRIP_ERROR_SUPPORT, or a status of kstrip_wheel_on_rail().
  */
 kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -2183,8 +2234,8 @@ typedef struct kstrip_curve {
  * @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
  *                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
  *                        zero. NULL: not needed.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
- *         roll or cant of 1 or more).
+ * @return KSTRIP_OK, KSTRIP_WARNING_CURVATURE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+ *         KSTRIP_ERROR_ANGLE (yaw, roll or cant of 1 or more), KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_curve_motion(const struct kstrip_curve *curve,
                                   const struct kstrip_wheel_position *position,
@@ -2369,7 +2420,7 @@ typedef struct kstrip_wheelset_loads {
  * @param[out] position   receives the position.
  * @param[out] moves      receives the velocity, with the pitch rate.
  * @param[out] forces     receives the forces there; NULL: not needed.
- * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
+ * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
  *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
  *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
  */
@@ -2678,7 +2729,8 @@ typedef struct kstrip_friction_fit {
  * @param[out] fit        receives the law and its standard errors.
  * @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
  *                        NULL: not requested.
- * @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED;
+ * @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED,
+ *         KSTRIP_WARNING_PER_CENT;
  *         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
  *         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
  *         kstrip_evaluate().

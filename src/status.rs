@@ -78,8 +78,7 @@ statuses! {
         KSTRIP_ERROR_SEMI_AXIS SemiAxis = -3:
             "a semi-axis is not positive", "a and b must be > 0 (metres)";
         KSTRIP_ERROR_NORMAL_FORCE NormalForce = -4:
-            "the normal force of a profile or of a contact of a wheel, or the share of such a \
-             contact, is negative, or the requested support of a wheel is not positive",
+            "the normal force of a profile or of a contact of a wheel is negative",
             "compression is positive (newtons)";
         KSTRIP_ERROR_MODULUS Modulus = -5:
             "a modulus of elasticity is not positive", "it must be > 0 (pascals)";
@@ -88,7 +87,7 @@ statuses! {
         KSTRIP_ERROR_FRICTION Friction = -7:
             "the coefficient of friction is negative", "it must be >= 0";
         KSTRIP_ERROR_MODEL Model = -8:
-            "the model is not one of the KSTRIP_MODEL constants";
+            "the model is not one of the KSTRIP_MODEL constants", "0 is the default";
         KSTRIP_ERROR_STRIP_COUNT StripCount = -9:
             "the strip count is not 4, 8, 16, 32 or 64";
         KSTRIP_ERROR_CURVATURE Curvature = -10:
@@ -145,6 +144,13 @@ statuses! {
         KSTRIP_ERROR_WEIGHT Weight = -29:
             "the weight of a measured point is negative",
             "it must be >= 0, 0 for a point that does not count";
+        KSTRIP_ERROR_MODEL_LEFT_OUT ModelLeftOut = -30:
+            "the model, or its falling friction or layer, was left out of this build of the library",
+            "take another model, or build the library with this feature";
+        KSTRIP_ERROR_MODULUS_UNIT ModulusUnit = -31:
+            "the wheel finds no support, and the shear modulus is below 0.1 MPa: it is probably in \
+             MPa or GPa",
+            "pass it in pascals, 82e9 for steel";
         KSTRIP_ERROR_STRIP_SIZE StripSize = -40:
             "a strip of a patch has a width or half length that is not positive",
             "they must be > 0 (metres)";
@@ -172,6 +178,29 @@ statuses! {
             "pass them in their order along the profile";
         KSTRIP_ERROR_NORMAL_DAMPING NormalDamping = -49:
             "the damping of the pressure is negative", "it must be >= 0 (s/m)";
+        KSTRIP_ERROR_SHARE Share = -50:
+            "the share of a contact of a wheel is negative", "it must be 0 to 1";
+        KSTRIP_ERROR_SUPPORT Support = -51:
+            "the requested support of a wheel, or the vertical load of a wheelset, is not positive",
+            "it must be > 0 (newtons); the support points up and the load down";
+        KSTRIP_ERROR_ANGLE Angle = -52:
+            "a yaw, roll or cant is 1 rad or more, or a yaw or roll is above 0.2 rad where the \
+             wheel is beside the rail: angles are in radians, and this angle is probably in degrees",
+            "multiply degrees by 0.01745";
+        KSTRIP_ERROR_LENGTH_UNIT LengthUnit = -53:
+            "the wheel is more than 0.7 m beside the rail or 5 m above or below it, its radius is \
+             above 5 m, or a profile is longer than 1 m: a position, a gauge, a distance of the \
+             wheels or a profile is probably in mm",
+            "lengths are in metres";
+        KSTRIP_ERROR_SWAPPED Swapped = -54:
+            "the wheel is beside the rail, and the profile of the rail has a flange while that of \
+             the wheel has the head of a rail: wheel and rail are probably swapped",
+            "pass the rail before the wheel";
+        KSTRIP_ERROR_ORIENTATION Orientation = -55:
+            "the wheel is beside the rail, and a profile is upside down, the wrong way round, or \
+             not that of a wheel or a rail",
+            "z must point down, and the flange of a wheel and the gauge side of a rail lie at \
+             small y";
         KSTRIP_ERROR_GAUGE Gauge = -60:
             "a gauge, a place of a rail or a distance of wheels is missing or negative",
             "they must be > 0 (metres)";
@@ -180,7 +209,9 @@ statuses! {
             "a wheel lifts";
         KSTRIP_ERROR_CONICITY Conicity = -62:
             "no wave has this amplitude: it is not positive or beyond the shifts, or the radii \
-             do not bring the wheelset back";
+             turn the wheelset away from the middle",
+            "pass amplitudes within the shifts (metres), and differences of the radii that grow \
+             with the shift";
     }
 }
 
@@ -277,7 +308,8 @@ statuses! {
         KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22 gravity IMPLAUSIBLE:
             "implausible profile, longer than 1 m: it is probably in mm";
         KSTRIP_WARNING_MODULUS Modulus = 23 gravity IMPLAUSIBLE:
-            "implausible shear modulus, below 0.1 MPa: it is probably in MPa or GPa";
+            "implausible shear modulus, below 0.1 MPa or above 10 TPa: it is probably in another \
+             unit than Pa";
         KSTRIP_WARNING_UNSET Unset = 24 gravity IMPLAUSIBLE:
             "friction and Poisson's ratio of a wheel and a rail are both 0",
             "set them, or one of them if this is meant";
@@ -293,6 +325,19 @@ statuses! {
         KSTRIP_WARNING_ROUGH Rough = 27 gravity 2:
             "a contact has more lobes than its strips tell apart, and its load may jump",
             "smooth the profile, or take more strips";
+        KSTRIP_WARNING_CURVATURE Curvature = 28 gravity IMPLAUSIBLE:
+            "implausible curvature of the track, above 0.2 per m: it is probably the radius of \
+             the curve",
+            "pass 1 divided by the radius";
+        KSTRIP_WARNING_YOUNG Young = 29 gravity IMPLAUSIBLE:
+            "implausible shear modulus, above 150 GPa: it is probably Young's modulus E",
+            "the shear modulus is E/(2 (1 + nu)), 82e9 for steel";
+        KSTRIP_WARNING_PER_CENT PerCent = 30 gravity IMPLAUSIBLE:
+            "implausible slope factor, fitted below 0.05: the creepages are probably in per cent",
+            "divide them by 100";
+        KSTRIP_WARNING_DAMPING Damping = 31 gravity IMPLAUSIBLE:
+            "implausible damping, which more than doubles the pressure: it is probably in N s/m",
+            "pass the damping divided by the load, in s/m";
     }
 }
 

@@ -41,6 +41,10 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_support = 25
    integer(c_int32_t), parameter :: kstrip_warning_profile_coarse = 26
    integer(c_int32_t), parameter :: kstrip_warning_rough = 27
+   integer(c_int32_t), parameter :: kstrip_warning_curvature = 28
+   integer(c_int32_t), parameter :: kstrip_warning_young = 29
+   integer(c_int32_t), parameter :: kstrip_warning_per_cent = 30
+   integer(c_int32_t), parameter :: kstrip_warning_damping = 31
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -70,6 +74,8 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_few_points = -27
    integer(c_int32_t), parameter :: kstrip_error_fit_parameters = -28
    integer(c_int32_t), parameter :: kstrip_error_weight = -29
+   integer(c_int32_t), parameter :: kstrip_error_model_left_out = -30
+   integer(c_int32_t), parameter :: kstrip_error_modulus_unit = -31
    integer(c_int32_t), parameter :: kstrip_error_strip_size = -40
    integer(c_int32_t), parameter :: kstrip_error_pressure = -41
    integer(c_int32_t), parameter :: kstrip_error_strip_order = -42
@@ -80,6 +86,12 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_smoothing_length = -47
    integer(c_int32_t), parameter :: kstrip_error_scatter = -48
    integer(c_int32_t), parameter :: kstrip_error_normal_damping = -49
+   integer(c_int32_t), parameter :: kstrip_error_share = -50
+   integer(c_int32_t), parameter :: kstrip_error_support = -51
+   integer(c_int32_t), parameter :: kstrip_error_angle = -52
+   integer(c_int32_t), parameter :: kstrip_error_length_unit = -53
+   integer(c_int32_t), parameter :: kstrip_error_swapped = -54
+   integer(c_int32_t), parameter :: kstrip_error_orientation = -55
    integer(c_int32_t), parameter :: kstrip_error_gauge = -60
    integer(c_int32_t), parameter :: kstrip_error_wheel_lifted = -61
    integer(c_int32_t), parameter :: kstrip_error_conicity = -62

@@ -7,6 +7,7 @@
 //! | quantity | implausible | typical cause | ordinary contacts |
 //! |---|---|---|---|
 //! | pressure | `p₀ > 0.1 G` | `G` in MPa or GPa | wheel on rail 0.02 to 0.04, bearings 0.06 |
+//! | shear modulus | `G > 150 GPa` | Young's modulus; above 10 TPa another unit | 82 GPa |
 //! | creepage | `\|υx\|` or `\|υy\| > 10` | per cent | a locked wheel has 1 |
 //! | semi-axis | `a` or `b > 1 m` | mm | 0.1 mm to 30 mm |
 //! | spin | `\|φ\| √(ab) > 0.05` and `\|φ\| a > 5 p₀/G` | degrees per metre | see below |
@@ -43,6 +44,9 @@ const USUAL_SPIN: f64 = 1e4;
 const LARGEST_SEMI_AXIS: f64 = 1.0;
 /// Largest plausible `μ`.
 pub(crate) const LARGEST_FRICTION: f64 = 5.0;
+/// Largest plausible shear modulus \[Pa\], and that of any unit; hard metal has 1.5e11 to 2.7e11.
+pub(crate) const LARGEST_MODULUS: f64 = 1.5e11;
+pub(crate) const LARGEST_MODULUS_OF_ANY_UNIT: f64 = 1e13;
 /// Largest plausible radius \[m\].
 pub(crate) const LARGEST_RADIUS: f64 = 5.0;
 /// Largest `|κ|` that was compared with the reference.
@@ -81,7 +85,7 @@ pub fn implausibility<F: Float>(contact: &Contact<F>, creepage: &Creepage<F>) ->
 }
 
 impl<F: Real> Contact<F> {
-    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and TPa; of several
+    /// Whether the numbers are of the usual sizes, 1 µm to 1 m, up to GN and 150 GPa; of several
     /// contacts side by side, whether all are. With creepages of such sizes no check can fail in
     /// either precision, because all products and quotients lie below 1e36. This takes a few
     /// comparisons instead of five divisions.
@@ -92,7 +96,7 @@ impl<F: Real> Contact<F> {
         a.lies_between(shortest, longest)
             && b.lies_between(shortest, longest)
             && normal_force.lies_within(F::of(1e9))
-            && shear_modulus.lies_between(F::of(1.0), F::of(1e12))
+            && shear_modulus.lies_between(F::of(1.0), F::of(LARGEST_MODULUS))
             && poisson_ratio.lies_within(F::of(0.5))
             && friction.lies_within(F::of(LARGEST_FRICTION))
             && mismatch.abs().lies_within(F::of(LARGEST_MISMATCH))
@@ -141,7 +145,7 @@ impl<F: Float> Contact<F> {
     /// What is implausible about the contact alone, if anything; nothing about a lost contact.
     #[must_use]
     pub fn plausibility(&self) -> Warning {
-        let Self { a, b, normal_force, friction, mismatch, .. } = *self;
+        let Self { a, b, normal_force, shear_modulus, friction, mismatch, .. } = *self;
         // p₀ = 3N/(2π a b) > 0.1 G
         let pressed = self.tangential_stiffness().times(LARGEST_PRESSURE);
         if self.is_lost() {
@@ -150,6 +154,8 @@ impl<F: Float> Contact<F> {
         Warning::first(&[
             (a.max(b) > F::constant(LARGEST_SEMI_AXIS), Warning::SemiAxis),
             (normal_force.times(1.5 / PI) > pressed, Warning::Pressure),
+            (shear_modulus > F::constant(LARGEST_MODULUS_OF_ANY_UNIT), Warning::Modulus),
+            (shear_modulus > F::constant(LARGEST_MODULUS), Warning::Young),
             (friction > F::constant(LARGEST_FRICTION), Warning::Friction),
             (mismatch.abs() > F::constant(LARGEST_MISMATCH), Warning::Mismatch),
         ])

@@ -78,7 +78,8 @@ fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Opti
     let kstrip_options { model, strips } = options.copied().unwrap_or_default();
     let is_default = model == KSTRIP_MODEL_DEFAULT;
     let model = if is_default { default as i32 } else { model };
-    let model = Model::from_number(model).ok_or(Error::Model)?;
+    let missing = if Model::is_number(model) { Error::ModelLeftOut } else { Error::Model };
+    let model = Model::from_number(model).ok_or(missing)?;
     Ok(Options { model, strips: strip_count(strips)? })
 }
 

@@ -109,7 +109,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         options.model,
         F,
         differentiated(frame, creepage, options, ordinary),
-        return Err(Error::Model)
+        return Err(Error::ModelLeftOut)
     );
     Error::Overflow.unless(few_are_finite(&slopes.derivatives.entries()))?;
     Ok((solution, slopes))

@@ -53,6 +53,12 @@ impl Model {
         })
     }
 
+    /// Whether a number is that of a model, which the library may have been built without.
+    #[must_use]
+    pub const fn is_number(number: i32) -> bool {
+        matches!(number, 1..=5)
+    }
+
     /// Whether the model has no fitted constants, and neglects unlike materials as the paper does.
     #[must_use]
     #[inline]

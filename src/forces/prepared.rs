@@ -107,7 +107,7 @@ impl<F: Float> Prepared<F> {
             Model::Linear if Model::HAS_LINEAR => {
                 stored.put::<_, KNOWN>(Linear::of_contact(frame, options));
             }
-            _ => return Err(Error::Model),
+            _ => return Err(Error::ModelLeftOut),
         }
         Ok(stored)
     }

@@ -75,7 +75,7 @@ pub(crate) fn write_forces<'a, F: Float>(
     options: &Options,
     place: &'a mut MaybeUninit<Solution<F>>,
 ) -> Result<&'a Solution<F>, Error> {
-    let absent = Err(Error::Model);
+    let absent = Err(Error::ModelLeftOut);
     let found = by_model!(options.model, F, solution_of(contact, creepage, options), absent);
     found.map(|solution| &*place.write(solution))
 }

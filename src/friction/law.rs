@@ -55,10 +55,10 @@ impl<F: Float> SlipFriction<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
     /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`],
-    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::Model`] for a law, a layer or a slide
+    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::ModelLeftOut`] for a law, a layer or a slide
     /// factor that the library was built without.
     pub fn check(&self) -> Result<(), Error> {
-        Error::Model.unless(Self::HAS_LAW)?;
+        Error::ModelLeftOut.unless(Self::HAS_LAW)?;
         let Self { friction, ratio, decay, rolling_speed, .. } = *self;
         let Self { slope_factor, slide_factor, layer, .. } = *self;
         let inputs = [friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer];
@@ -72,7 +72,7 @@ impl<F: Float> SlipFriction<F> {
         Error::SlideFactor.unless(slide_factor >= zero && slide_factor <= one)?;
         Error::Layer.unless(layer >= zero)?;
         let beyond = layer > zero || slide_factor > zero;
-        Error::Model.unless(Self::HAS_LAYER || !beyond)
+        Error::ModelLeftOut.unless(Self::HAS_LAYER || !beyond)
     }
 
     /// `μ` for a slip `s` over rolling speed.

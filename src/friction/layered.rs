@@ -201,7 +201,7 @@ impl<F: Float> ThroughLayer<'_, F> {
 
     /// Forces.
     pub fn solve(&self, contact: &Contact<F>) -> Result<Solution<F>, Error> {
-        by_model!(self.options.model, F, solve_in(self, contact), Err(Error::Model))
+        by_model!(self.options.model, F, solve_in(self, contact), Err(Error::ModelLeftOut))
     }
 
     /// Forces with their derivatives while friction stays; [`Error::Overflow`] also when one of

@@ -124,6 +124,9 @@ struct Fit<'a, F> {
     squares: F,
 }
 
+/// Least plausible slope factor: measured curves have 0.2 to 1.
+const SOFTEST: f64 = 0.05;
+
 /// The sum of the squares over `N²`, half of its derivatives, and the normal equations.
 #[derive(Clone, Copy)]
 struct Sums<F> {
@@ -356,12 +359,16 @@ impl<'a, F: Float> Fit<'a, F> {
         }
         errors = errors.zip_map(&self.units, |error, unit| (error * unit).min(F::HUGE));
         let warnings = [(!settled, Warning::NotConverged), (!tells, Warning::Undetermined)];
+        let law = self.law(at);
+        let [[_, _, _, is_fitted, _, _]] = self.fitted.data.0;
+        let is_soft = is_fitted && law.slope_factor < F::of(SOFTEST);
+        let per_cent = if is_soft { Warning::PerCent } else { Warning::None };
         FrictionFit {
-            law: self.law(at),
+            law,
             standard_errors: with_parameters(&SlipFriction::default(), errors),
             residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
             steps: steps as u32,
-            warning: Warning::first(&warnings),
+            warning: Warning::first(&warnings).worse(per_cent),
         }
     }
 }

@@ -83,7 +83,7 @@ impl<F: Float> Scene<'_, F> {
     /// `velocity`. The vertical position of the wheel does not matter.
     ///
     /// # Errors
-    /// Those of [`Scene::solve`]; [`Error::NormalForce`] for a force that is not positive;
+    /// Those of [`Scene::solve`]; [`Error::Support`] for a force that is not positive;
     /// [`Error::ProfileEnd`] where the contact reaches the end of a profile with less force.
     pub fn height_for_load(
         &self,
@@ -92,8 +92,19 @@ impl<F: Float> Scene<'_, F> {
         velocity: Option<&Velocity<F>>,
         memory: &mut Workspace<F>,
     ) -> Result<(F, Warning), Error> {
+        let found = self.find_height(position, support, velocity, memory);
+        found.map_err(|error| self.cause().of(error, position))
+    }
+
+    fn find_height(
+        &self,
+        position: &Position<F>,
+        support: F,
+        velocity: Option<&Velocity<F>>,
+        memory: &mut Workspace<F>,
+    ) -> Result<(F, Warning), Error> {
         Error::NotFinite.unless(support.is_finite_number())?;
-        Error::NormalForce.when(support <= F::zero())?;
+        Error::Support.when(support <= F::zero())?;
         self.pair.check()?;
         check_modulus(self.pair.shear_modulus)?;
         check_poisson_ratio(self.pair.poisson_ratio)?;

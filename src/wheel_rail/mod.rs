@@ -72,7 +72,7 @@ impl<F: Float> Position<F> {
     pub(crate) fn check(&self) -> Result<(), Error> {
         let Self { lateral, vertical, yaw, roll } = *self;
         Error::NotFinite.unless(are_finite(&[lateral, vertical, yaw, roll]))?;
-        Error::ProfileEnd.unless(yaw.abs() < F::one() && roll.abs() < F::one())
+        Error::Angle.unless(yaw.abs() < F::one() && roll.abs() < F::one())
     }
 }
 

@@ -123,6 +123,16 @@ impl<'a, F: Float> Scene<'a, F> {
         memory: &mut Workspace<F>,
         requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
+        let found = self.differentiated(state, memory, requested);
+        found.map_err(|error| self.cause().of(error, &state.position))
+    }
+
+    fn differentiated(
+        &self,
+        state: &BodyState<F>,
+        memory: &mut Workspace<F>,
+        requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
+    ) -> Result<Wrench<F>, Error> {
         let with_warning = |found: Wrench<F>, memory: &Workspace<F>| {
             let warning = found.warning.worse(self.plausibility(memory.found()));
             Wrench { warning, ..found }

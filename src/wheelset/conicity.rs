@@ -77,7 +77,8 @@ fn rolling_radius<F: Float>(
     let mut here = first.mirrored(scene.pair.left != 0);
     let gap = &mut memory.gap;
     for _ in 0..LOWERINGS {
-        let left = scene.search_at(&here)?.gap(F::zero(), gap)?;
+        let found = scene.search_at(&here)?.gap(F::zero(), gap);
+        let left = found.map_err(|error| scene.cause().of(error, &here))?;
         here.vertical += left;
         if left.abs() < F::of(TOUCHES) {
             break;

@@ -63,7 +63,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// Finds the vertical position, the roll and the pitch rate at which the rails balance the
     /// loads, at given lateral position, yaw and other velocities.
     ///
-    /// # Errors [`Error::NotFinite`]; [`Error::NormalForce`] for a vertical load that is not
+    /// # Errors [`Error::NotFinite`]; [`Error::Support`] for a vertical load that is not
     /// positive; [`Error::WheelLifted`] where a wheel would lift; [`Error::ForceBeyondFriction`]
     /// for a torque that friction does not carry; those of [`Wheelset::solve`].
     pub fn settle(
@@ -74,7 +74,7 @@ impl<F: Float> Wheelset<'_, F> {
     ) -> Result<Settled<F>, Error> {
         let WheelsetLoads { vertical, roll, pitch } = *loads;
         Error::NotFinite.unless(are_finite(&[vertical, roll, pitch]))?;
-        Error::NormalForce.unless(vertical > F::zero())?;
+        Error::Support.unless(vertical > F::zero())?;
         let [width, _] = self.sides.map(|side| side.arm.abs());
         let [right, _] = self.scenes;
         let supports = self.sides.map(|side| {

@@ -10,6 +10,8 @@ use crate::wheel_rail::{Position, Velocity, sine_cosine};
 const DEPTH: f64 = 14e-3;
 /// Standard acceleration of gravity \[m/s²\] (ISO 80000-3).
 const GRAVITY: f64 = 9.806_65;
+/// Largest plausible curvature of a track \[1/m\].
+const SHARPEST: f64 = 0.2;
 /// A profile that ends less than this above the depth is complete \[m\].
 const COMPLETE: f64 = 10e-6;
 
@@ -93,18 +95,18 @@ impl<F: Float> Curve<F> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`], [`Error::ProfileEnd`] for angles of 1 or more.
+    /// [`Error::NotFinite`], [`Error::Angle`] for angles of 1 or more, [`Error::Overflow`].
     pub fn motion(
         &self,
         position: &Position<F>,
         relative: &Velocity<F>,
-    ) -> Result<(Velocity<F>, [F; 3]), Error> {
+    ) -> Result<(Velocity<F>, [F; 3], Warning), Error> {
         let Self { speed, curvature, cant, gravity } = *self;
         position.check()?;
         let members = relative.members();
         Error::NotFinite
             .unless(are_finite(&[speed, curvature, cant, gravity]) && are_finite(&members))?;
-        Error::ProfileEnd.unless(cant.abs() < F::one())?;
+        Error::Angle.unless(cant.abs() < F::one())?;
         let gravity = if gravity == F::zero() { F::of(GRAVITY) } else { gravity };
         let (sine, cosine) = sine_cosine(cant);
         let turning = curvature * speed;
@@ -122,6 +124,9 @@ impl<F: Float> Curve<F> {
         let outward = speed * turning;
         let weight =
             [F::zero(), gravity * sine - outward * cosine, gravity * cosine + outward * sine];
-        Ok((velocity, weight))
+        Error::Overflow.unless(are_finite(&velocity.members()) && are_finite(&weight))?;
+        let is_radius = curvature.abs() > F::of(SHARPEST);
+        let warning = if is_radius { Warning::Curvature } else { Warning::None };
+        Ok((velocity, weight, warning))
     }
 }

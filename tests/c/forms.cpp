@@ -134,7 +134,7 @@ int main()
         return kstrip::wheels_on_rails<double>(rail, wheel, pairs, {places.data(), wheels}, all_move, &wet, room, {wrenches.data(), wheels},
                                                {statuses.data(), wheels});
     };
-    expect(many(3) == kstrip::status::error_profile_end && statuses[0] == 0 && statuses[1] == 0 && statuses[2] == KSTRIP_ERROR_PROFILE_END,
+    expect(many(3) == kstrip::status::error_length_unit && statuses[0] == 0 && statuses[1] == 0 && statuses[2] == KSTRIP_ERROR_LENGTH_UNIT,
            "wheels_on_rails: the status of each");
     fine(many(2), "wheels_on_rails");
     expect(same(wrenches[0], wrench) && wrenches[1].normal_force < wrench.normal_force, "wheels_on_rails");

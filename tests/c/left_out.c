@@ -1,4 +1,4 @@
-/* A library with the model TOTAL alone: what was left out is KSTRIP_ERROR_MODEL, and touches no output. */
+/* A library with the model TOTAL alone: what was left out is KSTRIP_ERROR_MODEL_LEFT_OUT, and touches no output. */
 #include <stdio.h>
 
 #include "kstrip_f32.h"
@@ -29,10 +29,10 @@ int main(void)
     const kstrip_outputs_f32 of_strips = {.strips = strips, .capacity = 64, .count = &count};
     for (unsigned i = 0; i < sizeof models / sizeof *models; ++i) {
         const kstrip_options options = {models[i], 16};
-        expect("solve", kstrip_solve_f32(&contact, &creepage, &options, &result), KSTRIP_ERROR_MODEL);
-        expect("evaluate", kstrip_evaluate_f32(&contact, &creepage, NULL, &options, &outputs), KSTRIP_ERROR_MODEL);
+        expect("solve", kstrip_solve_f32(&contact, &creepage, &options, &result), KSTRIP_ERROR_MODEL_LEFT_OUT);
+        expect("evaluate", kstrip_evaluate_f32(&contact, &creepage, NULL, &options, &outputs), KSTRIP_ERROR_MODEL_LEFT_OUT);
     }
-    expect("law", kstrip_evaluate_f32(&contact, &creepage, &law, NULL, &outputs), KSTRIP_ERROR_MODEL);
+    expect("law", kstrip_evaluate_f32(&contact, &creepage, &law, NULL, &outputs), KSTRIP_ERROR_MODEL_LEFT_OUT);
     expect("strips", kstrip_evaluate_f32(&contact, &creepage, NULL, NULL, &of_strips) < 0, 1);
     expect("outputs", result.fx == -1.0f && count == 77, 1);
     expect("total", kstrip_evaluate_f32(&contact, &creepage, NULL, NULL, &outputs), KSTRIP_OK);

@@ -5,6 +5,7 @@ mod batch;
 mod binary_interface;
 mod fuzz_properties;
 mod groups;
+mod mistakes;
 mod prepared;
 mod python;
 mod strips_of_patch;

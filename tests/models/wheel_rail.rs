@@ -835,7 +835,7 @@ fn contacts_of_a_table_are_checked_where_they_count() {
         of_contacts(&[contact], &ROLLING, STRIP, Some(&mut slopes)).map(|_| slopes)
     };
     assert!(solve(contact).is_ok());
-    assert_eq!(solve(WheelContact { share: -1.0, ..contact }).err(), Some(Error::NormalForce));
+    assert_eq!(solve(WheelContact { share: -1.0, ..contact }).err(), Some(Error::Share));
     let pulled = WheelContact { normal_force: -5e4, ..contact };
     assert_eq!(solve(pulled).err(), Some(Error::NormalForce));
     let mut huge = contact;

@@ -302,7 +302,7 @@ fn settles_under_loads() {
     };
     assert_eq!(refused(100e3, 80e3, 0.0), Error::WheelLifted);
     assert_eq!(refused(100e3, 0.0, -16e3), Error::ForceBeyondFriction);
-    assert_eq!(refused(0.0, 0.0, 0.0), Error::NormalForce);
+    assert_eq!(refused(0.0, 0.0, 0.0), Error::Support);
 }
 
 /// A wheelset that rolls slowly swings with the wave length that the geometry of its wheels has,
@@ -379,7 +379,7 @@ fn conicity_under_load_is_that_of_zero_moment() {
     let (shift, loads) = (1e-3, WheelsetLoads { vertical: 120e3, ..LOAD });
     let mut moment = |curvature: f64| {
         let curve = Curve { speed: 20.0, curvature, cant: 0.0, gravity: 0.0 };
-        let (velocity, _) = curve.motion(&at(shift, 0.0), &Velocity::default()).unwrap();
+        let (velocity, ..) = curve.motion(&at(shift, 0.0), &Velocity::default()).unwrap();
         stand.settle(&at(shift, 0.0), &velocity, &loads).unwrap().forces.wrench.moment[2]
     };
     let ends = [-2e-3, 0.0];
@@ -524,7 +524,7 @@ fn a_curve_has_its_balance_speed() {
         let curve = Curve { speed, curvature, cant, gravity: 0.0 };
         let here = Position { lateral: 2e-3, roll: 0.01, yaw: 0.02, ..Position::default() };
         let relative = Velocity { pitch: -37.0, ..Velocity::default() };
-        let (velocity, weight) = curve.motion(&here, &relative).unwrap();
+        let (velocity, weight, _) = curve.motion(&here, &relative).unwrap();
         assert!(weight[1].abs() < 1e-12, "{weight:?}");
         assert_relative_eq!(weight[2], 9.806_65 / cant.cos(), max_relative = 1e-12);
         let turning =
@@ -547,7 +547,7 @@ fn lateral_forces_balance_a_curve() {
         // the yaw at which the lateral force is the one that is missing
         let mut rest = |yaw: f64| {
             let still = Velocity::default();
-            let (velocity, weight) = curve.motion(&at(lateral, yaw), &still).unwrap();
+            let (velocity, weight, _) = curve.motion(&at(lateral, yaw), &still).unwrap();
             let loads = WheelsetLoads { vertical: mass * weight[2], ..LOAD };
             let found = stand.settle(&at(lateral, yaw), &velocity, &loads).unwrap();
             (found.forces, mass * weight[1])

@@ -15,7 +15,8 @@ _names = {value: name for name, value in constants.items() if name.startswith(("
 #: Of several warnings the one with the largest number is reported: the order of kstrip.h.
 _RANK = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "SUPPORT": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "UNDETERMINED": 3, "PRESSURE": 2, "CREEPAGE": 2,
          "SEMI_AXIS": 2, "SPIN_UNIT": 2, "FRICTION": 2, "RADIUS": 2,
-         "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2, "UNSET": 2, "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1,
+         "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2, "UNSET": 2, "CURVATURE": 2, "YOUNG": 2, "PER_CENT": 2, "DAMPING": 2,
+          "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1,
          "ROUGH": 1}
 
 

@@ -33,7 +33,8 @@ use core::mem::MaybeUninit;
 /// @param[out] fit        receives the law and its standard errors.
 /// @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
 ///                        NULL: not requested.
-/// @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED;
+/// @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED,
+///         KSTRIP_WARNING_PER_CENT;
 ///         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
 ///         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
 ///         kstrip_evaluate().

@@ -14,6 +14,7 @@ use crate::status::{Error, Warning, kstrip_status};
 use crate::wheel_rail::contacts::{self, WheelContact};
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::PreparedProfile;
+use crate::wheel_rail::profile::plausibility::Cause;
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::touch::{Gap, GapSearch};
 use crate::wheel_rail::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
@@ -77,7 +78,8 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
 ///                        and reach where no point is nearer; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
-///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail).
+///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail), or
+///         the error that names its likely cause, as in kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_touch"))]
 pub extern "C" fn kstrip_touch(
     rail: Option<&PreparedProfile<F>>,
@@ -91,7 +93,10 @@ pub extern "C" fn kstrip_touch(
     answer(|| {
         let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
         let gap = given(gap)?;
-        put(least, GapSearch::new(rail, wheel, wheel_radius, position)?.gap(reach, gap)?);
+        let search = GapSearch::new(rail, wheel, wheel_radius, position)?;
+        let found = search.gap(reach, gap);
+        let cause = Cause { rail, wheel, wheel_radius, shear_modulus: None };
+        put(least, found.map_err(|error| cause.of(error, position))?);
         Ok(Warning::None)
     })
 }
@@ -106,8 +111,8 @@ pub extern "C" fn kstrip_touch(
 /// @param pair            materials, friction, side.
 /// @param position        where the wheel is.
 /// @param workspace       memory for the strips of a contact; it may hold anything.
-/// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. (After
-///                        an error some may have been written; count has not.)
+/// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
+///                        memory of the computation too: after an error it may have changed.
 /// @param[out] count      receives their number; 0: the wheel is lifted.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
 ///         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
@@ -223,8 +228,11 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
 ///         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
 ///         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
-///         KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET, KSTRIP_WARNING_PRESSURE for implausible
-///         inputs; or a status of one of these functions.
+///         KSTRIP_WARNING_YOUNG, KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET,
+///         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_DAMPING for implausible inputs; or a status of
+///         one of these functions. An error of implausible inputs is the one that names their
+///         likely cause: KSTRIP_ERROR_ANGLE, KSTRIP_ERROR_LENGTH_UNIT, KSTRIP_ERROR_MODULUS_UNIT,
+///         KSTRIP_ERROR_SWAPPED, KSTRIP_ERROR_ORIENTATION.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
     rail: Option<&PreparedProfile<F>>,
@@ -271,7 +279,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
 /// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
 ///         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
 ///         exceeds a twentieth of the shear modulus);
-///         KSTRIP_ERROR_NORMAL_FORCE (support), or a status of kstrip_wheel_on_rail().
+///         KSTRIP_ERROR_SUPPORT, or a status of kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
     rail: Option<&PreparedProfile<F>>,

@@ -54,8 +54,8 @@ pub extern "C" fn kstrip_gauge_face(
 /// @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
 ///                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
 ///                        zero. NULL: not needed.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE_END (yaw,
-///         roll or cant of 1 or more).
+/// @return KSTRIP_OK, KSTRIP_WARNING_CURVATURE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
+///         KSTRIP_ERROR_ANGLE (yaw, roll or cant of 1 or more), KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_curve_motion"))]
 pub unsafe extern "C" fn kstrip_curve_motion(
     curve: Option<&Curve<F>>,
@@ -68,10 +68,11 @@ pub unsafe extern "C" fn kstrip_curve_motion(
     let weight = unsafe { place(weight.cast::<[F; 3]>()) };
     answer(|| {
         let out = given(velocity)?;
-        let (found, acceleration) = given(curve)?.motion(given(position)?, given(relative)?)?;
+        let (position, relative) = (given(position)?, given(relative)?);
+        let (found, acceleration, warning) = given(curve)?.motion(position, relative)?;
         out.write(found);
         put(weight, acceleration);
-        Ok(Warning::None)
+        Ok(warning)
     })
 }
 
@@ -147,7 +148,7 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 /// @param[out] position   receives the position.
 /// @param[out] moves      receives the velocity, with the pitch rate.
 /// @param[out] forces     receives the forces there; NULL: not needed.
-/// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NORMAL_FORCE
+/// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
 ///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
 #[unsafe(export_name = symbol!("kstrip_wheelset_settle"))]

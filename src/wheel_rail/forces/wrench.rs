@@ -25,6 +25,9 @@ use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::{Velocity, dot};
 
+/// Factor of the damping above which it is implausible.
+const LARGEST_DAMPING: f64 = 2.0;
+
 /// Force and moment on a wheel. They are conjugate to the members of kstrip_wheel_velocity: the
 /// products add up to power.
 #[repr(C)]
@@ -140,7 +143,8 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
     for contact in contacts {
         let numbers = [contact.share, contact.normal_force, contact.own];
         Error::NotFinite.unless(are_finite(&contact.normal) && are_finite(&numbers))?;
-        Error::NormalForce.when(contact.share < zero || contact.normal_force < zero)?;
+        Error::Share.when(contact.share < zero)?;
+        Error::NormalForce.when(contact.normal_force < zero)?;
         if contact.is_conformal() {
             warning = warning.worse(Warning::AngleRange);
         }
@@ -150,6 +154,9 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
         if factor == zero {
             // the surfaces part faster than they push
             continue;
+        }
+        if factor > F::of(LARGEST_DAMPING) {
+            warning = warning.worse(Warning::Damping);
         }
         let mut pressed = Pressed { patch: &contact.patch, factor, room: &mut *room };
         // creep forces on the rail, conjugate to the wheel's velocities, and frictional power

@@ -4,7 +4,7 @@
 mod averaged_points;
 mod coarse_line;
 mod curve;
-pub(super) mod plausibility;
+pub(crate) mod plausibility;
 mod prepare;
 
 use crate::number::{Arithmetic, Float, Strips, are_finite, set_at};
@@ -32,8 +32,9 @@ pub struct PreparedProfile<F> {
     pub spacing: F,
     /// Number of points, 4 to KSTRIP_SURFACE_CAPACITY.
     pub count: u32,
-    /// What the shape tells: 0 nothing, or a sum of 1 (it is not the profile of a wheel), 2 (it is
-    /// not the profile of a rail) and 4 (it has few points, and is not smooth between them).
+    /// The form of the profile: 0, or a sum of 1 (it is not that of a wheel), 2 (it is not that of
+    /// a rail), 4 (it has few points, and is not smooth between them), 8 (it has the tip of a
+    /// flange) and 16 (it goes down on both sides as the head of a rail).
     pub form: u32,
 }
 

@@ -1,8 +1,8 @@
 //! What is implausible about a wheel on a rail: units, and profiles that stand upside down or the
 //! wrong way round.
 //!
-//! A profile has a flat part, where it rises by less than 20 degrees: the tread of a wheel, the top
-//! of a rail. On either side of it, at smaller and at larger y, the first part that is steeper than
+//! The longest contiguous part of a profile that rises by less than 20 degrees is its flat part:
+//! the tread of a wheel, the top of a rail. On either side of it, at smaller and at larger y, the first part that is steeper than
 //! 45 degrees leads down or up. This tells how the profile stands:
 //!
 //! | | at small y | at large y |
@@ -15,9 +15,13 @@
 //! above: the top of a flange that is upside down. Profiles without steep parts may be both.
 
 use super::{CurvePoint, PreparedProfile};
-use crate::contact::plausibility::{LARGEST_FRICTION, LARGEST_PRESSURE, LARGEST_RADIUS};
+use crate::contact::plausibility::{
+    LARGEST_FRICTION, LARGEST_MODULUS, LARGEST_MODULUS_OF_ANY_UNIT, LARGEST_PRESSURE,
+    LARGEST_RADIUS,
+};
 use crate::number::Float;
-use crate::status::Warning;
+use crate::status::{Error, Warning};
+use crate::wheel_rail::Position;
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::scene::Scene;
 
@@ -28,6 +32,13 @@ const STEEP: f64 = 0.7;
 const SHALLOW: f64 = 2e-3;
 /// Largest height of the rounded edge of a roller, and of flat parts above the tread \[m\].
 const EDGE: f64 = 8e-3;
+/// Least depth of the tip of a flange below the tread, and of the sides of a rail head \[m\].
+const TIP: f64 = 15e-3;
+const HEAD: f64 = 8e-3;
+/// Largest distances of a wheel from its rail, and largest yaw or roll, of a wheel beside its rail
+/// \[m, rad\].
+const FARTHEST: [f64; 2] = [0.7, 5.0];
+const LARGEST_TURN: f64 = 0.2;
 /// Longest profile \[m\].
 const LONGEST: f64 = 1.0;
 /// Least shear modulus \[Pa\]: rubber has 5e5.
@@ -41,6 +52,10 @@ const LARGEST_ANGLE: f64 = 30.0 * core::f64::consts::PI / 180.0;
 const NO_WHEEL: u32 = 1;
 /// The profile cannot be that of a rail.
 const NO_RAIL: u32 = 2;
+/// The profile has the tip of a flange, or a groove.
+const HAS_FLANGE_TIP: u32 = 8;
+/// The profile goes down on both sides, without the tip of a flange.
+const IS_RAIL_HEAD: u32 = 16;
 /// The profile has few points, and its shape is not smooth between them.
 pub(super) const ROUGH_AND_COARSE: u32 = 4;
 
@@ -50,15 +65,9 @@ impl<F: Float> PreparedProfile<F> {
         let zero = F::zero();
         let point = |k: usize| self.point(k);
         let count = self.count as usize;
-        let flat = || (0..count).filter_map(point).filter(|place| place.sine.abs() < F::of(FLAT));
-        let [parts, y, z] = flat()
-            .fold([zero; 3], |[parts, y, z], place| [parts.plus(1.0), y + place.y, z + place.z]);
-        if parts <= zero {
-            return 0;
-        }
-        let [y, z] = [y / parts, z / parts];
-        let middle = (0..count).find(|k| point(*k).is_some_and(|place| place.y >= y));
-        let middle = middle.unwrap_or(count);
+        let is_flat = |place: &CurvePoint<F>| place.sine.abs() < F::of(FLAT);
+        let flat = || (0..count).filter_map(point).filter(is_flat);
+        let Some((middle, z)) = self.longest_flat_part() else { return 0 };
         // height below the flat part, negative above; of the first steep place on each side
         let below = |place: CurvePoint<F>| place.z - z;
         let is_steep = |place: &CurvePoint<F>| {
@@ -80,7 +89,38 @@ impl<F: Float> PreparedProfile<F> {
             && (is_down(first_left) || !is_down(first_right));
         let no_wheel = has_top_above || !(has_flange || has_edges);
         let no_rail = has_top_above || !has_sides;
-        (if no_wheel { NO_WHEEL } else { 0 }) | (if no_rail { NO_RAIL } else { 0 })
+        let lowest = left().fold(zero, F::max);
+        let has_tip = (0..middle)
+            .filter_map(point)
+            .any(|place| is_flat(&place) && place.cosine > zero && below(place) > F::of(TIP));
+        let is_head = !has_tip && lowest > F::of(HEAD) && right().fold(zero, F::max) > F::of(HEAD);
+        let flags = [
+            (no_wheel, NO_WHEEL),
+            (no_rail, NO_RAIL),
+            (has_tip, HAS_FLANGE_TIP),
+            (is_head, IS_RAIL_HEAD),
+        ];
+        flags.iter().fold(0, |form, (holds, flag)| if *holds { form | flag } else { form })
+    }
+
+    /// The middle point of the longest contiguous part that is flat, and its mean height.
+    fn longest_flat_part(&self) -> Option<(usize, F)> {
+        let (mut longest, mut own) = ((0, 0, F::zero()), (0, 0, F::zero()));
+        for k in 0..self.count as usize {
+            let place = self.point(k)?;
+            let (first, points, sum) = own;
+            own = if place.sine.abs() < F::of(FLAT) && place.cosine > F::zero() {
+                (first, points + 1, sum + place.z)
+            } else {
+                (k + 1, 0, F::zero())
+            };
+            if own.1 > longest.1 {
+                longest = own;
+            }
+        }
+        let (first, points, sum) = longest;
+        let size = F::widened(points as f32);
+        (points > 0).then(|| (first + points / 2, sum / size))
     }
 
     /// What is implausible about the profile of a wheel or a rail.
@@ -104,7 +144,50 @@ impl<F: Float> PreparedProfile<F> {
     }
 }
 
+/// What may be the cause of an error at a position, where the inputs are implausible.
+pub(crate) struct Cause<'a, F> {
+    pub rail: &'a PreparedProfile<F>,
+    pub wheel: &'a PreparedProfile<F>,
+    pub wheel_radius: F,
+    pub shear_modulus: Option<F>,
+}
+
+impl<F: Float> Cause<'_, F> {
+    /// The error that names the likely cause of an error where the surfaces do not meet, or the
+    /// error itself. No input is refused that has a result.
+    #[cold]
+    pub fn of(&self, error: Error, position: &Position<F>) -> Error {
+        if !matches!(error, Error::ProfileEnd | Error::PatchSize | Error::Overflow) {
+            return error;
+        }
+        let Self { rail, wheel, wheel_radius, .. } = *self;
+        let Position { lateral, vertical, yaw, roll } = *position;
+        let is_long = |profile: &PreparedProfile<F>| profile.plausibility() == Warning::ProfileSize;
+        let causes = [
+            (yaw.abs().max(roll.abs()) > F::of(LARGEST_TURN), Error::Angle),
+            (lateral.abs() > F::of(FARTHEST[0]), Error::LengthUnit),
+            (vertical.abs() > F::of(FARTHEST[1]), Error::LengthUnit),
+            (wheel_radius > F::of(LARGEST_RADIUS), Error::LengthUnit),
+            (is_long(rail) || is_long(wheel), Error::LengthUnit),
+            (
+                self.shear_modulus.is_some_and(|modulus| modulus < F::of(SOFTEST)),
+                Error::ModulusUnit,
+            ),
+            (rail.form & HAS_FLANGE_TIP != 0 && wheel.form & IS_RAIL_HEAD != 0, Error::Swapped),
+            (rail.form & NO_RAIL != 0 || wheel.form & NO_WHEEL != 0, Error::Orientation),
+        ];
+        causes.iter().find(|(holds, _)| *holds).map_or(error, |(_, cause)| *cause)
+    }
+}
+
 impl<F: Float> Scene<'_, F> {
+    /// What may be the cause of an error.
+    pub(crate) fn cause(&self) -> Cause<'_, F> {
+        let Self { rail, wheel, pair, .. } = *self;
+        let shear_modulus = Some(pair.shear_modulus);
+        Cause { rail, wheel, wheel_radius: pair.wheel_radius, shear_modulus }
+    }
+
     /// What is implausible about the scene and its contacts; the profiles are examined first.
     pub(crate) fn plausibility(&self, contacts: &[WheelContact<F>]) -> Warning {
         let Self { rail, wheel, pair, .. } = *self;
@@ -119,8 +202,12 @@ impl<F: Float> Scene<'_, F> {
             of_profiles
         } else if pair.wheel_radius > F::of(LARGEST_RADIUS) {
             Warning::Radius
-        } else if pair.shear_modulus < F::of(SOFTEST) {
+        } else if pair.shear_modulus < F::of(SOFTEST)
+            || pair.shear_modulus > F::of(LARGEST_MODULUS_OF_ANY_UNIT)
+        {
             Warning::Modulus
+        } else if pair.shear_modulus > F::of(LARGEST_MODULUS) {
+            Warning::Young
         } else if friction > F::of(LARGEST_FRICTION) {
             Warning::Friction
         } else if friction <= F::zero() && pair.poisson_ratio <= F::zero() {

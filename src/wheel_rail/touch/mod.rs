@@ -237,7 +237,7 @@ impl<'a, F: Float> GapSearch<'a, F> {
     ///
     /// # Errors
     /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`];
-    /// [`Error::ProfileEnd`] for an angle of one or more.
+    /// [`Error::Angle`] for an angle of one or more.
     pub fn new(
         rail: &'a PreparedProfile<F>,
         wheel: &'a PreparedProfile<F>,

@@ -458,7 +458,12 @@ fn curve_motion(bytes: &mut Bytes) {
             given.place(4, &mut weight).cast(),
         )
     };
-    answered(status, untouched(&out) && untouched(&weight));
+    if answered(status, untouched(&out) && untouched(&weight)) {
+        let moves = written(&out);
+        let kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw } = moves;
+        assert!(finite(&[forward, lateral, vertical, roll, pitch, yaw]), "{curve:?} {moves:?}");
+        assert!(!given.has(4) || finite(&written(&weight)), "{curve:?}");
+    }
 }
 
 fn wheelset_on_track(bytes: &mut Bytes) {
