@@ -70,7 +70,7 @@ def measured_curve():
 
 def crossing():
     """The picture of docs/crossing.md, by the program of that page."""
-    program = re.search(r"```python\n(.*?)```", (ROOT / "docs" / "crossing.md").read_text(encoding="utf-8"), re.S)[1]
+    program = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "crossing.md").read_text(encoding="utf-8"), re.S)[0]
     names = {}
     os.chdir(ROOT)
     exec(program, names)
