@@ -239,7 +239,7 @@ int main()
         }
         return std::size_t{99};
     };
-    const std::vector<kstrip::wheel_position> aside{begin, {1_m}, begin};
+    const std::vector<kstrip::wheel_position> aside{at, {1_m}, at};
     const std::vector<kstrip::newtons> pulled{80_kN, 80_kN, -80_kN};
     const std::vector<kstrip::wheelset_loads> lifting{{160_kN}, {160_kN}, {160_kN}, {160_kN, 900_kNm}};
     const std::vector<kstrip::contact> patches{{6_mm, 4_mm, 80_kN, 82_GPa, 0.28, 0.3}, {0_mm, 4_mm, 80_kN, 82_GPa, 0.28, 0.3}};
