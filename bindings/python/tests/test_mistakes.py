@@ -113,7 +113,6 @@ def text_of(function, changes=()):
     return "\n".join(str(each.message) for each in caught)
 
 
-@unittest.skipUnless(TABLE.exists(), "SKIPPED: mistakes in Python, because there is no tests/data/mistakes.csv")
 class Mistakes(unittest.TestCase):
     def test_texts_name_the_cause(self):
         rows = list(csv.DictReader(TABLE.read_text(encoding="utf-8").splitlines()))
