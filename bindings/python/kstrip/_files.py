@@ -6,7 +6,7 @@ import dataclasses
 import os
 import pathlib
 import warnings
-from typing import Any, Iterable, Optional, Sequence, Union
+from typing import Iterable, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike

@@ -8,7 +8,7 @@ from typing import Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._batch import Batch, layout_of
+from ._batch import layout_of
 from ._calls import call, zeros
 from ._inputs import Many, array_of, choice, count_of, floats, is_single, number, one, options
 from .values import Contact, Patch, PatchStrip, PatchSummary, ProfileResult

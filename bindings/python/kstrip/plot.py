@@ -24,7 +24,7 @@ except ImportError as error:
     raise ImportError("kstrip.plot needs matplotlib: pip install 'kstrip[plot]'") from error
 
 from ._batch import Batch
-from ._inputs import Many, Model
+from ._inputs import Model
 from ._solve import evaluate, field, solve
 from ._structures import creepage as creepage_of, wheel_position, wheel_velocity
 from ._wheel import PreparedProfile, height_for_load, wheel_on_rail
