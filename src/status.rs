@@ -145,7 +145,8 @@ statuses! {
             "the weight of a measured point is negative",
             "it must be >= 0, 0 for a point that does not count";
         KSTRIP_ERROR_MODEL_LEFT_OUT ModelLeftOut = -30:
-            "the model, or its falling friction or layer, was left out of this build of the library",
+            "the model, or its falling friction or layer, was left out of this build of the \
+             library",
             "take another model, or build the library with this feature";
         KSTRIP_ERROR_MODULUS_UNIT ModulusUnit = -31:
             "the wheel finds no support, and the shear modulus is below 0.1 MPa: it is probably in \
@@ -185,7 +186,8 @@ statuses! {
             "it must be > 0 (newtons); the support points up and the load down";
         KSTRIP_ERROR_ANGLE Angle = -52:
             "a yaw, roll or cant is 1 rad or more, or a yaw or roll is above 0.2 rad where the \
-             wheel is beside the rail: angles are in radians, and this angle is probably in degrees",
+             wheel is beside the rail: angles are in radians, and this angle is probably in \
+             degrees",
             "multiply degrees by 0.01745";
         KSTRIP_ERROR_LENGTH_UNIT LengthUnit = -53:
             "the wheel is more than 0.7 m beside the rail or 5 m above or below it, its radius is \

@@ -55,8 +55,8 @@ impl<F: Float> SlipFriction<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Friction`], [`Error::FrictionRatio`],
     /// [`Error::FrictionDecay`], [`Error::NegativeSpeed`], [`Error::SlopeFactor`],
-    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::ModelLeftOut`] for a law, a layer or a slide
-    /// factor that the library was built without.
+    /// [`Error::SlideFactor`], [`Error::Layer`]; [`Error::ModelLeftOut`] for a law, a layer or a
+    /// slide factor that the library was built without.
     pub fn check(&self) -> Result<(), Error> {
         Error::ModelLeftOut.unless(Self::HAS_LAW)?;
         let Self { friction, ratio, decay, rolling_speed, .. } = *self;

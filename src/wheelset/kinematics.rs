@@ -33,7 +33,7 @@ pub struct Side<F> {
 }
 
 impl<F: Float> Side<F> {
-    /// The right side of a wheelset with equal wheels over a rail at rest: the distances \[m\], > 0,
+    /// The right side of a wheelset with equal wheels over a rail at rest: distances \[m\], > 0,
     /// of the wheel's running circle from the middle of the wheelset, and of the rail's origin from
     /// the middle of the track.
     #[must_use]

@@ -84,7 +84,8 @@ static int prepare(void)
 static int good_profiles(void)
 {
     static double z[MOST];
-    if (!read_profile(0, \"tests/data/wheel_rail/uic60.csv\") || !read_profile(1, \"tests/data/wheel_rail/s1002.csv\"))
+    if (!read_profile(0, \"tests/data/wheel_rail/uic60.csv\") ||
+        !read_profile(1, \"tests/data/wheel_rail/s1002.csv\"))
         return 0;
     for (unsigned i = 0; i < drawn[0]; i++)
         z[i] = -drawn_z[0][i];

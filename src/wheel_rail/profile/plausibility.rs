@@ -2,8 +2,8 @@
 //! wrong way round.
 //!
 //! The longest contiguous part of a profile that rises by less than 20 degrees is its flat part:
-//! the tread of a wheel, the top of a rail. On either side of it, at smaller and at larger y, the first part that is steeper than
-//! 45 degrees leads down or up. This tells how the profile stands:
+//! the tread of a wheel, the top of a rail. On either side of it, at smaller and at larger y, the
+//! first part that is steeper than 45 degrees leads down or up. This tells how the profile stands:
 //!
 //! | | at small y | at large y |
 //! |---|---|---|
