@@ -129,3 +129,26 @@ fn negative_numbers_are_named() {
     assert_eq!(status(f64::NAN, 0.0), Some(Error::NotFinite));
     assert_eq!(status(0.1, 0.1), None);
 }
+
+/// Contacts that count partly carry a part of the damping.
+#[test]
+fn damping_of_contacts_that_count_partly_has_the_slope_of_differences() {
+    let surface = |name: &str| {
+        let [y, z] = points(name);
+        let mut surface = zeroed::<PreparedProfile<f64>>();
+        surface.prepare(&y, &z, 0.0, 2e-3).unwrap();
+        surface
+    };
+    let mut stand = Stand::new(surface("rail288"), surface("whl288"), 0.46);
+    stand.pair.smoothing_length = 2e-3;
+    let first = Position { lateral: -68.2e-3, ..Position::default() };
+    let position = Position { vertical: stand.height(&first, 80e3, None), ..first };
+    stand.pair.normal_damping = DAMPING;
+    let velocity = Velocity { vertical: 0.2, ..ROLLING };
+    let slopes = stand.derivatives(&position, &velocity);
+    let is_part = |contact: &WheelContact<f64>| (0.02..0.98).contains(&contact.share);
+    assert!(stand.memory.found().iter().any(is_part));
+    assert_derivatives(&slopes.velocity, 0..6, (1e-6, 1e-4), |k, step| {
+        stand.solve(&position, &moved(&velocity, k, step))
+    });
+}

@@ -428,3 +428,50 @@ fn single_precision_follows() {
         assert!((f64::from(found.fy) - expected.fy).abs() < 1e-4 * size, "{n} {o:?}");
     }
 }
+
+/// A mass on a locked wheel: its speed after steps of 1 ms of the linearly implicit rule, which may
+/// take a step again from the forces at standstill if it would turn the slip round.
+fn stopped(is_taken_again: bool, push: f64) -> f64 {
+    const STEP: f64 = 1e-3;
+    let contact = Contact { a: 6e-3, b: 5e-3, normal_force: 80e3, friction: 0.235, ..C0 };
+    let mass = contact.normal_force / 9.81;
+    // force on the mass, and its derivative with respect to the speed
+    let at = |speed: f64| {
+        let rolling_speed = speed / 2.0;
+        let motion =
+            Motion { slip_x: speed, slip_y: 0.0, spin_rate: 0.0, rolling_speed, floor_speed: 0.0 };
+        let (found, _, by) =
+            differentiate_motion(&contact, &motion, None, &sixteen(Model::Strip)).unwrap();
+        (push - found.fx, -by.slip[0][0] - by.rolling_speed[0] / 2.0)
+    };
+    let (mut speed, mut fastest) = (0.05_f64, 0.0_f64);
+    for k in 0..400 {
+        let (force, slope) = at(speed);
+        let mut next = speed + STEP * force / (mass - STEP * slope);
+        if is_taken_again && next * speed < 0.0 {
+            let (force, slope) = at(0.0);
+            let again = (mass * speed + STEP * force) / (mass - STEP * slope);
+            // friction holds the mass
+            if (slope * again).abs() < contact.friction * contact.normal_force {
+                next = again;
+            }
+        }
+        speed = next;
+        if k >= 300 {
+            fastest = fastest.max(speed.abs());
+        }
+    }
+    fastest
+}
+
+/// Sliding friction has no slope, so that a step of this rule leads beyond standstill by up to
+/// `μ g h`, and the next step leads back. With the forces of standstill the mass stops.
+#[test]
+fn a_locked_wheel_stops_with_the_forces_of_standstill() {
+    let most = 0.235 * 9.81 * 1e-3;
+    let cycle = stopped(false, 0.0);
+    assert!((0.3 * most..1.01 * most).contains(&cycle), "{cycle}");
+    assert!(stopped(true, 0.0) < 1e-9);
+    // a push below the friction holds the mass at the creep of standstill
+    assert!(stopped(true, 10e3) < 1e-4);
+}
