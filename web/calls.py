@@ -51,9 +51,9 @@ def checked(scripts, prototypes):
                 raise ValueError(f"{where}: {name or 'the function of this call'} is not a function of kstrip.h")
             if any(script[start:end].strip().startswith("...") for start, end in given):
                 raise ValueError(f"{where}: {name}() takes its arguments one by one")
-            wanted = len(prototypes[name]["parameters"])
-            if len(given) != wanted:
-                raise ValueError(f"{where}: {name}() takes {wanted} arguments, not {len(given)}")
+            expected = len(prototypes[name]["parameters"])
+            if len(given) != expected:
+                raise ValueError(f"{where}: {name}() takes {expected} arguments, not {len(given)}")
             used.add(name)
     return sorted(used)
 

@@ -93,7 +93,9 @@ impl<F: Float> Scene<'_, F> {
         memory: &mut Workspace<F>,
     ) -> Result<(F, Warning), Error> {
         let found = self.find_height(position, support, velocity, memory);
-        found.map_err(|error| self.cause().of(error, position))
+        // the search does not depend on its start
+        let anywhere = Position { vertical: F::zero(), ..*position };
+        found.map_err(|error| self.cause().named(error, &anywhere))
     }
 
     fn find_height(

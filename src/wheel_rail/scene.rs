@@ -124,7 +124,7 @@ impl<'a, F: Float> Scene<'a, F> {
         requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         let found = self.differentiated(state, memory, requested);
-        found.map_err(|error| self.cause().of(error, &state.position))
+        found.map_err(|error| self.cause().named(error, &state.position))
     }
 
     fn differentiated(

@@ -78,7 +78,7 @@ fn rolling_radius<F: Float>(
     let gap = &mut memory.gap;
     for _ in 0..LOWERINGS {
         let found = scene.search_at(&here)?.gap(F::zero(), gap);
-        let left = found.map_err(|error| scene.cause().of(error, &here))?;
+        let left = found.map_err(|error| scene.cause().named(error, &here))?;
         here.vertical += left;
         if left.abs() < F::of(TOUCHES) {
             break;

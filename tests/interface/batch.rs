@@ -23,6 +23,8 @@ fn told(status: i32) -> Warning {
         Pressure,
         Creepage,
         SemiAxis,
+        Modulus,
+        Young,
         Spin,
         Friction,
         AxisRatio,

@@ -100,8 +100,8 @@ class Layout(Generic[V]):
             except ValueError:
                 return TypeError(f"{at}: numbers are needed, not {given!r}")
             if array.shape != field.shape:
-                wanted = f"an array of shape {field.shape}" if field.shape else "one number"
-                return ValueError(f"{at}: {wanted} is needed, not an array of shape {array.shape}; arrays of values are made by "
+                expected = f"an array of shape {field.shape}" if field.shape else "one number"
+                return ValueError(f"{at}: {expected} is needed, not an array of shape {array.shape}; arrays of values are made by "
                                   f"kstrip.{self.kind._structure}()")
             if not field.base.names and array.dtype.kind not in ("biu" if whole else "biuf"):
                 return TypeError(f"{at}: a {'whole' if whole else 'real'} number is needed, not {given!r}")

@@ -59,9 +59,9 @@ class KeptContacts:
         return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
 
 
-def contacts_in(space: NDArray[np.void], wanted: bool) -> Batch[WheelContact]:
-    """The contacts of one wheel in a workspace; none if they are not wanted."""
-    if not wanted:
+def contacts_in(space: NDArray[np.void], requested: bool) -> Batch[WheelContact]:
+    """The contacts of one wheel in a workspace; none if they are not requested."""
+    if not requested:
         return Batch(WheelContact, np.zeros(0, dtype_of("wheel_contact", False)))
     kept = KeptContacts(space, False)
     kept(0)

@@ -256,7 +256,7 @@ def solve_motion(contacts: Many[Contact], motions: Many[Motion], friction: Optio
 class Prepared(Group):
     """A contact for which everything that does not depend on the motion has been computed: kstrip.prepare().
 
-    contact, model, strips: of what it was made.
+    contact, model, strips: the inputs.
     """
 
     contact: Many[Contact]

@@ -96,7 +96,7 @@ pub extern "C" fn kstrip_touch(
         let search = GapSearch::new(rail, wheel, wheel_radius, position)?;
         let found = search.gap(reach, gap);
         let cause = Cause { rail, wheel, wheel_radius, shear_modulus: None };
-        put(least, found.map_err(|error| cause.of(error, position))?);
+        put(least, found.map_err(|error| cause.named(error, position))?);
         Ok(Warning::None)
     })
 }

@@ -156,7 +156,7 @@ impl<F: Float> Cause<'_, F> {
     /// The error that names the likely cause of an error where the surfaces do not meet, or the
     /// error itself. No input is refused that has a result.
     #[cold]
-    pub fn of(&self, error: Error, position: &Position<F>) -> Error {
+    pub fn named(&self, error: Error, position: &Position<F>) -> Error {
         if !matches!(error, Error::ProfileEnd | Error::PatchSize | Error::Overflow) {
             return error;
         }
