@@ -4,8 +4,14 @@
 //! the first. It lowers the wheel until the surfaces touch, and then follows the force to the power
 //! 2/3, which is nearly linear for Hertz's contacts: by Newton's steps with the stiffness at first,
 //! then by secants, always between a height with less than the requested force and one with more.
+//! It ends where the force is accurate to rounding: to that of the force, or to that of the points
+//! of the profiles.
+//!
+//! A height at which a profile ends in the contact is too low. If nothing touches above it, the
+//! wheel passes an edge of the rail there, and the search goes on below.
 
 use super::scene::{Scene, Workspace};
+use super::touch::Gap;
 use super::{BodyState, Position, Velocity};
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
@@ -19,6 +25,12 @@ const GROWTH: f64 = 4.0;
 const CRUSHED: f64 = 0.05;
 /// Hertz's approach over the wheel's radius from which no force is looked for.
 const DEEPEST: f64 = 1e3;
+/// Length of the wheel's profile times this has the rounding of a height.
+const COORDINATES: f64 = 0.1;
+/// Roundings of a height by which the force may jump between neighbouring heights.
+const JUMP: f64 = 10.0;
+/// How many heights without a force are tried above one at which a profile ends.
+const EMPTY: u32 = 3;
 
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
@@ -32,9 +44,34 @@ struct Heights<F> {
     deep: Option<(F, Error)>,
     /// The last one with a force.
     last: Option<Tried<F>>,
+    /// How many have no force above a height that is too deep.
+    empty: u32,
+    /// The lowest height that is too deep.
+    lowest: Option<F>,
+}
+
+/// Whether the wheel is too deep in the rail to have a force, or beside it.
+const fn is_too_deep(error: Error) -> bool {
+    matches!(error, Error::ProfileEnd | Error::Overflow | Error::PatchSize)
 }
 
 impl<F: Float> Heights<F> {
+    const fn new() -> Self {
+        Self { above: None, below: None, deep: None, last: None, empty: 0, lowest: None }
+    }
+
+    fn note_deep(&mut self, height: F, error: Error) {
+        let first = self.deep.map_or(error, |(_, first)| first);
+        self.deep = Some((height, first));
+        self.lowest = Some(self.lowest.map_or(height, |lowest| lowest.max(height)));
+    }
+
+    /// Notes a height without a force. Returns whether the wheel may touch below an edge only.
+    fn is_above_edge(&mut self) -> bool {
+        self.empty += u32::from(self.deep.is_some() && self.below.is_none());
+        self.empty >= EMPTY
+    }
+
     /// Notes a height, by how much the straightened force there exceeds the requested one, and the
     /// slope of that force as Hertz says, if there is a force. Returns the place of the next step.
     fn note(&mut self, height: F, excess: F, by_hertz: Option<F>) -> Option<F> {
@@ -118,17 +155,20 @@ impl<F: Float> Scene<'_, F> {
         // NaN compares as not below
         let is_possible = expected < self.pair.wheel_radius.times(DEEPEST);
         Error::Overflow.unless(is_possible && wanted.is_finite_number())?;
-        let [touches, per_normal] = self.first_touch(position)?;
+        let [mut touches, per_normal] = self.first_touch(position)?;
         Error::Overflow.unless(touches.is_finite_number())?;
-        let mut heights = Heights { above: None, below: None, deep: None, last: None };
+        let length = self.wheel.step * F::widened(self.wheel.count as f32);
+        let rounding = (length * F::EPSILON).times(COORDINATES);
+        let mut heights = Heights::new();
         let mut here = touches + expected * per_normal;
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
+        // by how much the straightened force grows over a rounding of the height
+        let mut unsure = F::zero();
         for tried in 0..HEIGHTS {
             let found = self.support(&Position { vertical: here, ..*position }, velocity, memory);
             let next = match found {
-                Err(error @ (Error::ProfileEnd | Error::Overflow | Error::PatchSize)) => {
-                    let first = heights.deep.map_or(error, |(_, first)| first);
-                    heights.deep = Some((here, first));
+                Err(error) if is_too_deep(error) => {
+                    heights.note_deep(here, error);
                     None
                 }
                 Err(error) => return Err(error),
@@ -136,24 +176,37 @@ impl<F: Float> Scene<'_, F> {
                     let own = straight(force);
                     let rest = own - wanted;
                     trend.note(here, force, rest < F::zero());
-                    if rest.abs() <= wanted * F::EPSILON.times(64.0) {
-                        return Ok((here, self.supported(&trend, memory)));
-                    }
                     // d(F^(2/3)) = (2/3) F^(2/3)/F dF
                     let by_hertz =
                         (force > F::zero()).then(|| (own / force) * stiffness.times(2.0 / 3.0));
-                    heights.note(here, rest, by_hertz)
+                    unsure = by_hertz.unwrap_or(F::zero()) * rounding;
+                    let accurate = wanted * F::EPSILON.cube_root().squared();
+                    if rest.abs() <= accurate.max(unsure) {
+                        return Ok((here, self.supported(&trend, memory)));
+                    }
+                    let next = heights.note(here, rest, by_hertz);
+                    if memory.count == 0 {
+                        touches = here + nearest(&memory.gap);
+                        if heights.is_above_edge() {
+                            let from = heights.lowest.unwrap_or(here);
+                            here = self.below_edge(from, expected, length, position, memory)?;
+                            (heights, touches) = (Heights::new(), here);
+                            continue;
+                        }
+                    }
+                    next
                 }
             };
             here = match (heights.above, heights.too_low()) {
                 (Some((high, less)), Some((low, error))) => {
                     let middle = high + (low - high).times(0.5);
-                    if !(middle > high && middle < low) {
+                    if !(middle > high && middle < low) || low - high <= rounding {
                         if let Some(error) = error {
                             return Err(error);
                         }
                         let more = heights.below.map_or(-less, |(_, more)| more);
-                        let is_close = more.min(-less) <= wanted * F::EPSILON.sqrt();
+                        let is_close = more.min(-less) <= wanted * F::EPSILON.sqrt()
+                            || more - less <= unsure.times(JUMP);
                         let warning = self.supported(&trend, memory);
                         let warning = if is_close { warning } else { Warning::NotConverged };
                         return Ok((here, warning));
@@ -163,7 +216,9 @@ impl<F: Float> Scene<'_, F> {
                     if tried % 8 == 7 { middle } else { inside.unwrap_or(middle) }
                 }
                 (Some((high, _)), None) => {
-                    let farthest = high + (high - touches).max(expected) * F::of(GROWTH);
+                    let from = high.max(touches);
+                    let farthest = from + (high - touches).max(expected) * F::of(GROWTH);
+                    let next = next.or(Some(touches + expected * per_normal));
                     next.filter(|next| *next > high).map_or(farthest, |next| next.min(farthest))
                 }
                 (None, Some((low, _))) => {
@@ -174,6 +229,30 @@ impl<F: Float> Scene<'_, F> {
             };
         }
         Ok((here, Warning::NotConverged))
+    }
+
+    /// The first height below an edge at which the wheel is not too deep: by steps that grow.
+    ///
+    /// # Errors
+    /// [`Error::ProfileEnd`] if there is none within a length; those of [`Scene::place`].
+    fn below_edge(
+        &self,
+        from: F,
+        mut step: F,
+        length: F,
+        position: &Position<F>,
+        memory: &mut Workspace<F>,
+    ) -> Result<F, Error> {
+        let mut here = from;
+        while here < from + length {
+            here += step;
+            step = step.times(2.0);
+            match self.place(&Position { vertical: here, ..*position }, memory) {
+                Err(error) if is_too_deep(error) => {}
+                found => return found.map(|_| here),
+            }
+        }
+        Err(Error::ProfileEnd)
     }
 
     /// What is implausible about the scene and its contacts, and whether they support the wheel.
@@ -220,4 +299,11 @@ impl<F: Float> Scene<'_, F> {
         let [touches, cosine] = found.ok_or(Error::ProfileEnd)?;
         Ok([touches, F::one() / cosine.abs().max(F::of(0.1))])
     }
+}
+
+/// The least distance of the points of a gap.
+fn nearest<F: Float>(gap: &Gap<F>) -> F {
+    let distances = gap.distance.iter().take(gap.count as usize);
+    let least = distances.fold(F::LARGEST, |least, distance| least.min(*distance));
+    if gap.count > 0 { least.max(F::zero()) } else { F::zero() }
 }

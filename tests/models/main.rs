@@ -7,6 +7,7 @@ mod differences;
 mod fit;
 mod friction;
 mod hard_cases;
+mod heights;
 mod hunting;
 mod layer;
 mod models;

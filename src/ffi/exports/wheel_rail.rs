@@ -265,8 +265,8 @@ pub extern "C" fn kstrip_wheel_on_rail(
 }
 
 /// The vertical position at which the rail supports a wheel with a given force. Use it to begin a
-/// run, and for tables. The search tries about ten positions, and 100 at
-/// most, and finds the highest.
+/// run, and for tables. The search tries four positions in most cases, and 100
+/// at most, and finds the highest. The force is that of the height within rounding.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
