@@ -3,3 +3,4 @@
 mod bits;
 mod searches;
 mod wheel;
+mod wheelset;

@@ -6,6 +6,7 @@ mod derivatives;
 mod differences;
 mod fit;
 mod friction;
+mod hand_placed;
 mod hard_cases;
 mod heights;
 mod hunting;

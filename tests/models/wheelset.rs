@@ -13,42 +13,49 @@ use nalgebra::{SMatrix, SVector};
 type Ten = [f64; 10];
 
 /// Profiles and pairs of both sides, and memory.
-struct Stand {
-    rails: [Box<PreparedProfile<f64>>; 2],
-    wheels: [Box<PreparedProfile<f64>>; 2],
-    pairs: [WheelPair<f64>; 2],
-    origins: [f64; 2],
+pub struct Stand {
+    pub rails: [Box<PreparedProfile<f64>>; 2],
+    pub wheels: [Box<PreparedProfile<f64>>; 2],
+    pub pairs: [WheelPair<f64>; 2],
+    pub origins: [f64; 2],
+    /// Friction of both sides that falls.
+    pub law: Option<SlipFriction<f64>>,
     memory: Box<WheelsetWorkspace<f64>>,
 }
 
 /// Half the distance of the running circles: half of 1360 mm between the flange backs, and 70 mm.
-const HALF: f64 = 0.75;
-const HALF_GAUGE: f64 = 0.7175;
-const RADIUS: f64 = 0.46;
-const LOAD: WheelsetLoads<f64> = WheelsetLoads { vertical: 100e3, roll: 0.0, pitch: 0.0 };
-const ROLLS: Velocity<f64> =
+pub const HALF: f64 = 0.75;
+pub const HALF_GAUGE: f64 = 0.7175;
+pub const RADIUS: f64 = 0.46;
+pub const LOAD: WheelsetLoads<f64> = WheelsetLoads { vertical: 100e3, roll: 0.0, pitch: 0.0 };
+pub const ROLLS: Velocity<f64> =
     Velocity { forward: 20.0, lateral: 0.0, vertical: 0.0, roll: 0.0, pitch: 0.0, yaw: 0.0 };
-const NOTHING: RailMotion<f64> =
+pub const NOTHING: RailMotion<f64> =
     RailMotion { lateral: 0.0, vertical: 0.0, lateral_velocity: 0.0, vertical_velocity: 0.0 };
 
-fn at(lateral: f64, yaw: f64) -> Position<f64> {
+pub fn at(lateral: f64, yaw: f64) -> Position<f64> {
     Position { lateral, yaw, ..Position::default() }
 }
 
 impl Stand {
-    fn new(rail: Box<PreparedProfile<f64>>, wheel: Box<PreparedProfile<f64>>, origin: f64) -> Self {
+    pub fn new(
+        rail: Box<PreparedProfile<f64>>,
+        wheel: Box<PreparedProfile<f64>>,
+        origin: f64,
+    ) -> Self {
         let left = WheelPair { left: 1, ..steel(RADIUS) };
         Self {
             rails: [rail.clone(), rail],
             wheels: [wheel.clone(), wheel],
             pairs: [steel(RADIUS), left],
             origins: [origin; 2],
+            law: None,
             memory: zeroed(),
         }
     }
 
     /// S1002 on 60E1.
-    fn new_profiles() -> Self {
+    pub fn new_profiles() -> Self {
         let rail = profile("uic60");
         let (face, warning) = gauge_face(&rail, 0.0).unwrap();
         assert_eq!(warning, Warning::None);
@@ -66,8 +73,9 @@ impl Stand {
         &mut self,
         motion: [RailMotion<f64>; 2],
     ) -> (Wheelset<'_, f64>, &mut WheelsetWorkspace<f64>) {
-        let Self { rails, wheels, pairs, origins, memory } = self;
-        let scenes = [0, 1].map(|i| scene(&rails[i], &wheels[i], &pairs[i]));
+        let Self { rails, wheels, pairs, origins, law, memory } = self;
+        let law = Law { falling: law.as_ref(), model: Model::Strip };
+        let scenes = [0, 1].map(|i| Scene { law, ..scene(&rails[i], &wheels[i], &pairs[i]) });
         let excess = (pairs[0].wheel_radius - pairs[1].wheel_radius) / 2.0;
         let sides = [(1.0, 0, 6), (-1.0, 1, 8)].map(|(sign, i, rail)| Side {
             arm: sign * HALF,
@@ -79,7 +87,7 @@ impl Stand {
         (Wheelset { scenes, sides }, memory)
     }
 
-    fn settle(
+    pub fn settle(
         &mut self,
         start: &Position<f64>,
         velocity: &Velocity<f64>,
@@ -89,7 +97,7 @@ impl Stand {
         wheelset.settle(&BodyState { position: *start, velocity: *velocity }, loads, memory)
     }
 
-    fn solve(
+    pub fn solve(
         &mut self,
         position: &Position<f64>,
         velocity: &Velocity<f64>,
