@@ -1921,7 +1921,7 @@ typedef struct kstrip_wheel_velocity {
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
  * @param[out] motion     receives the motion, that of a roller included.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
+ * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW.
  */
 kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
                                   const struct kstrip_wheel_velocity *velocity,

@@ -133,7 +133,13 @@ impl<F: Float> Wheelset<'_, F> {
             sum.warning = sum.warning.worse(wheel.warning);
             *rail = wheel.force.map(|force| -force);
         }
-        Error::Overflow.unless(are_finite(&found.wrench.members())).map(|()| found)
+        let Wrench { dissipation, normal_force, .. } = *sum;
+        let slopes =
+            by_velocity.iter().flat_map(|sums| sums.velocity.iter().chain([&sums.friction]));
+        let moves = by_position.iter().flat_map(|sums| &sums.position);
+        Error::Overflow
+            .unless(are_finite(&sum.members()) && are_finite(&[dissipation, normal_force]))?;
+        Error::Overflow.unless(slopes.chain(moves).all(|row| are_finite(row))).map(|()| found)
     }
 }
 

@@ -9,7 +9,7 @@ use kstrip_testing::prelude::*;
 use kstrip_testing::toolchain::{run_written, write_scratch};
 
 /// A line of the second table.
-struct Rule {
+pub struct Rule {
     /// Names of functions; a name that ends with `*` stands for all that begin so.
     functions: Vec<String>,
     /// `argument`, `argument[1]`, `structure.member` or `*` (any pointer).
@@ -42,7 +42,7 @@ fn codes(cell: &str) -> Vec<String> {
     cell.split('`').skip(1).step_by(2).map(str::to_owned).collect()
 }
 
-fn base(name: &str) -> &str {
+pub fn base(name: &str) -> &str {
     name.strip_suffix("_f32").unwrap_or(name)
 }
 
@@ -50,7 +50,7 @@ fn covers(pattern: &str, name: &str) -> bool {
     pattern.strip_suffix('*').map_or(pattern == name, |start| name.starts_with(start))
 }
 
-fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
+pub fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
     let texts = ["", "-wheelset"].map(|part| read(format!("docs/reference/bad-input{part}.md")));
     let rows = |heading| texts.iter().flat_map(move |text| table(text, heading));
     let good = rows("## Good arguments")
@@ -153,8 +153,7 @@ static kstrip_prepared_f32 prepared_float(void)
 }
 ";
 
-/// The beginning and the end of the program.
-const HEAD: &str = "/* Written by tests/interface/bad_input.rs. */
+const HEAD: &str = "/* Written by tests/interface/FILE. */
 #include \"kstrip_f32.h\"
 #include <float.h>
 #include <math.h>
@@ -188,6 +187,8 @@ const WHEEL: &str = "
 static kstrip_surfaceSUFFIX surface_REAL(void)
 {
     static kstrip_surfaceSUFFIX surface;
+    if (surface.count)
+        return surface;
     REAL y[41], z[41];
     for (int i = 0; i < 41; i++) {
         y[i] = (REAL)((i - 20) * 1e-3);
@@ -215,6 +216,8 @@ static kstrip_surfaceSUFFIX wheel_REAL(void)
 static kstrip_gapSUFFIX gap_REAL(void)
 {
     static kstrip_gapSUFFIX gap;
+    if (gap.count)
+        return gap;
     const kstrip_surfaceSUFFIX rail = surface_REAL(), wheel = wheel_REAL();
     kstrip_touchSUFFIX(&rail, &wheel, (REAL)0.46, &position_REAL, 0, &gap, NULL);
     return gap;
@@ -224,8 +227,10 @@ static kstrip_wheel_contactSUFFIX contact_REAL(void)
 {
     static kstrip_wheel_contactSUFFIX contacts[KSTRIP_CONTACTS_CAPACITY];
     static kstrip_patchSUFFIX strips;
+    static uint32_t count;
+    if (count)
+        return contacts[0];
     const kstrip_gapSUFFIX gap = gap_REAL();
-    uint32_t count;
     kstrip_contacts_from_gapSUFFIX(&gap, &pair_REAL, &position_REAL, &strips, contacts, &count);
     return contacts[0];
 }
@@ -248,6 +253,13 @@ static kstrip_wheelsetSUFFIX set_REAL(void)
 }
 ";
 
+/// The beginning of a program that calls every function, written by a file of this folder.
+pub fn beginning(file: &str) -> String {
+    let of_precision = |(real, suffix)| WHEEL.replace("REAL", real).replace("SUFFIX", suffix);
+    let wheels: String = [("double", ""), ("float", "_f32")].map(of_precision).concat();
+    HEAD.replace("FILE", file) + PLACES + &wheels
+}
+
 /// Structures of places, through which a function writes.
 const OUTPUTS_OF: [&str; 3] = ["kstrip_outputs", "kstrip_motion_outputs", "kstrip_batch_outputs"];
 
@@ -258,9 +270,124 @@ const LARGE: &str = "surface gap wheel_contact wheel_workspace patch \
     wheelset_workspace wheelset_derivatives wheelset_by_position";
 const FEW: usize = 6;
 
-fn writes_through_places(function: &Function) -> bool {
+pub fn writes_through_places(function: &Function) -> bool {
     let target = |argument: &Variable| argument.target().map(|(target, _)| base(target).to_owned());
     function.arguments.iter().filter_map(target).any(|name| OUTPUTS_OF.contains(&name.as_str()))
+}
+
+/// The first lines of a function of C that calls one of the library: its arguments with good
+/// values, and its outputs filled with a pattern.
+pub struct Setup<'a> {
+    pub text: String,
+    /// What stands between the parentheses of the call.
+    pub arguments: Vec<String>,
+    /// Arrays that the function writes.
+    pub outputs: Vec<&'a str>,
+    /// Whether inputs are lists of contacts; what is made bad is the second then.
+    many: bool,
+}
+
+impl<'a> Setup<'a> {
+    pub fn new(function: &'a Function, good: &BTreeMap<String, String>) -> Self {
+        let value_of = |name: &str| {
+            let of_function = format!("{}.{name}", base(&function.name));
+            let value = good.get(&of_function).or_else(|| good.get(base(name)));
+            value.unwrap_or_else(|| {
+                panic!("docs/reference/bad-input.md: no good value for {name} of {}", function.name)
+            })
+        };
+        let has_count =
+            function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
+        let many = has_count && value_of("count") != "1";
+        let (mut text, mut arguments, mut outputs) = (String::new(), vec![], vec![]);
+        if writes_through_places(function) {
+            text += "    memset(places, POISON, sizeof places);\n";
+            outputs.push("places");
+        }
+        for argument in &function.arguments {
+            let Variable { kind, name, .. } = argument;
+            match argument.target() {
+                Some((target, true)) => {
+                    let large =
+                        LARGE.split(' ').any(|large| base(target) == format!("kstrip_{large}"));
+                    let size = if large { FEW } else { OUTPUTS };
+                    text += &format!("    static {target} {name}[{size}];\n");
+                    text += &format!("    memset({name}, POISON, sizeof {name});\n");
+                    // What is bad is told with an error too, and a workspace is no output.
+                    if !["first_bad", "statuses", "workspace"].contains(&name.as_str()) {
+                        outputs.push(name);
+                    }
+                }
+                Some((target, false)) => {
+                    let of_number = matches!(target, "double" | "float");
+                    // What is an argument of several functions may have a name of its own.
+                    let own = good.get(name).filter(|_| base(target) == "kstrip_surface");
+                    let value =
+                        own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
+                    let list = good.get(&format!("{}.{name}", base(&function.name)));
+                    if let Some(list) = list.filter(|_| of_number) {
+                        text += &format!("    {target} {name}[{ELEMENTS}] = {list};\n");
+                    } else {
+                        let value = spelt(function, value);
+                        text += &format!("    const {target} {name}_good = {value};\n");
+                        text += &format!("    {target} {name}[{ELEMENTS}];\n");
+                        text += &format!(
+                            "    for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
+                            if of_number { " * (float)(i + 1)" } else { "" }
+                        );
+                    }
+                }
+                None => text += &format!("    {kind} {name} = ({kind})({});\n", value_of(name)),
+            }
+            if argument.target().is_some() {
+                text += &format!("    {kind} {name}_given = {name};\n");
+                arguments.push(format!("{name}_given"));
+            } else {
+                arguments.push(name.clone());
+            }
+        }
+        Self { text, arguments, outputs, many }
+    }
+
+    /// The member of an argument that a line of the table names, in C.
+    pub fn member(&self, name: &str, target: &str, member: &str) -> String {
+        // Options are one for all contacts.
+        let one = "options batch_inputs batch_outputs outputs wheelset track";
+        let is_one = one.split(' ').any(|own| base(target) == format!("kstrip_{own}"));
+        format!("{name}[{}].{member}", usize::from(self.many && !is_one))
+    }
+
+    /// Sets `untouched` after the call, whose status is `status`: whether all outputs have their
+    /// pattern. With statuses of elements: whether those with an error have it, and the others not.
+    pub fn find_untouched(&self, function: &Function) -> String {
+        let each_output = |size: &str| {
+            let are_poisoned = self.outputs.iter().map(|name| {
+                let size = size.replace("OUTPUT", name);
+                format!("poisoned({size})")
+            });
+            are_poisoned.reduce(|all, next| all + " && " + &next).unwrap_or_else(|| "1".to_owned())
+        };
+        let mut text = format!("    int untouched = {};\n", each_output("OUTPUT, sizeof OUTPUT"));
+        if function.arguments.iter().any(|argument| argument.name == "statuses") {
+            text += &format!(
+                "    if (!poisoned(statuses, sizeof *statuses)) {{\n        untouched = 1;\n        \
+                 for (int i = 0; !poisoned(statuses + i, sizeof *statuses); i++)\n            \
+                 if (statuses[i] < 0) untouched = untouched && {};\n            \
+                 else untouched = untouched && !({});\n    }}\n",
+                each_output("OUTPUT + i, sizeof *OUTPUT"),
+                each_output("OUTPUT + i, sizeof *OUTPUT"),
+            );
+        }
+        text
+    }
+}
+
+/// A value of the tables as the precision of the function has it.
+fn spelt(function: &Function, value: &str) -> String {
+    let single = function.name.ends_with("_f32");
+    let (largest, smallest) = if single { ("FLT_MAX", "1e-45F") } else { ("DBL_MAX", "5e-324") };
+    let real = if single { "float" } else { "double" };
+    value.replace("LARGEST", largest).replace("SMALLEST", smallest).replace("REAL", real)
 }
 
 /// The function of C that makes a call with good arguments, or with those of a case, and prints its
@@ -270,123 +397,37 @@ fn caller(
     cases: &[(usize, &Case)],
     good: &BTreeMap<String, String>,
 ) -> String {
-    let single = function.name.ends_with("_f32");
-    let spelt = |value: &str| {
-        let (largest, smallest) =
-            if single { ("FLT_MAX", "1e-45F") } else { ("DBL_MAX", "5e-324") };
-        let real = if single { "float" } else { "double" };
-        value.replace("LARGEST", largest).replace("SMALLEST", smallest).replace("REAL", real)
-    };
-    let value_of = |name: &str| {
-        let of_function = format!("{}.{name}", base(&function.name));
-        let value = good.get(&of_function).or_else(|| good.get(base(name)));
-        value.unwrap_or_else(|| {
-            panic!("docs/reference/bad-input.md: no good value for {name} of {}", function.name)
-        })
-    };
-    let has_count = function.arguments.iter().any(|a| a.name == "count" && a.target().is_none());
-    let many = has_count && value_of("count") != "1";
-    let (mut text, mut arguments, mut outputs) = (String::new(), vec![], vec![]);
-    let places = "places".to_owned();
-    if writes_through_places(function) {
-        text += "    memset(places, POISON, sizeof places);\n";
-        outputs.push(&places);
-    }
-    for argument in &function.arguments {
-        let Variable { kind, name, .. } = argument;
-        match argument.target() {
-            Some((target, true)) => {
-                let large = LARGE.split(' ').any(|large| base(target) == format!("kstrip_{large}"));
-                let size = if large { FEW } else { OUTPUTS };
-                text += &format!("    static {target} {name}[{size}];\n");
-                text += &format!("    memset({name}, POISON, sizeof {name});\n");
-                // (what is bad is told with an error too; a workspace is no output)
-                if !["first_bad", "statuses", "workspace"].contains(&name.as_str()) {
-                    outputs.push(name);
-                }
-            }
-            Some((target, false)) => {
-                let of_number = matches!(target, "double" | "float");
-                // what is an argument of several functions may have a name of its own
-                let own = good.get(name).filter(|_| base(target) == "kstrip_surface");
-                let value =
-                    own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
-                let list = good.get(&format!("{}.{name}", base(&function.name)));
-                if let Some(list) = list.filter(|_| of_number) {
-                    text += &format!("    {target} {name}[{ELEMENTS}] = {list};\n");
-                } else {
-                    let value = spelt(value);
-                    text += &format!("    const {target} {name}_good = {value};\n");
-                    text += &format!("    {target} {name}[{ELEMENTS}];\n");
-                    text += &format!(
-                        "    for (int i = 0; i < {ELEMENTS}; i++) {name}[i] = {name}_good{};\n",
-                        if of_number { " * (float)(i + 1)" } else { "" }
-                    );
-                }
-            }
-            None => text += &format!("    {kind} {name} = ({kind})({});\n", value_of(name)),
-        }
-        if argument.target().is_some() {
-            text += &format!("    {kind} {name}_given = {name};\n");
-            arguments.push(format!("{name}_given"));
-        } else {
-            arguments.push(name.clone());
-        }
-    }
+    let setup = Setup::new(function, good);
+    let mut text = setup.text.clone();
     text += "    switch (call) {\n";
     for (number, case) in cases {
         let Variable { kind, name, .. } = &function.arguments[case.position];
-        let value = spelt(&case.value);
+        let value = spelt(function, &case.value);
         let bad = match function.arguments[case.position].target() {
             None => format!("{name} = ({kind})({value})"),
             Some(_) if value == "NULL" && !case.argument.contains('.') => {
                 format!("{name}_given = NULL")
             }
             Some((target, _)) => match case.argument.split_once('.') {
-                Some((_, member)) => {
-                    // Options are one for all contacts.
-                    let one = "options batch_inputs batch_outputs outputs wheelset track";
-                    let element = usize::from(
-                        many && !one.split(' ').any(|own| base(target) == format!("kstrip_{own}")),
-                    );
-                    format!("{name}[{element}].{member} = {value}")
-                }
+                Some((_, member)) => format!("{} = {value}", setup.member(name, target, member)),
                 None => format!("{} = {value}", case.argument),
             },
         };
         text += &format!("    case {number}: {bad}; break;\n");
     }
-    let each_output = |size: &str| {
-        let are_poisoned = outputs.iter().map(|name| {
-            let size = size.replace("OUTPUT", name);
-            format!("poisoned({size})")
-        });
-        are_poisoned.reduce(|all, next| all + " && " + &next).unwrap_or_else(|| "1".to_owned())
-    };
     text += &format!(
-        "    }}\n    const long status = {}({});\n    int untouched = {};\n",
+        "    }}\n    const long status = {}({});\n",
         function.name,
-        arguments.join(", "),
-        each_output("OUTPUT, sizeof OUTPUT")
+        setup.arguments.join(", "),
     );
-    if function.arguments.iter().any(|argument| argument.name == "statuses") {
-        // an element with an error is untouched, and the others have their results
-        text += &format!(
-            "    if (!poisoned(statuses, sizeof *statuses)) {{\n        untouched = 1;\n        \
-             for (int i = 0; !poisoned(statuses + i, sizeof *statuses); i++)\n            \
-             if (statuses[i] < 0) untouched = untouched && {};\n            \
-             else untouched = untouched && !({});\n    }}\n",
-            each_output("OUTPUT + i, sizeof *OUTPUT"),
-            each_output("OUTPUT + i, sizeof *OUTPUT"),
-        );
-    }
+    text += &setup.find_untouched(function);
     text += "    printf(\"%d %ld %d\\n\", call, status, untouched);\n";
     format!("\nstatic void call_{}(int call)\n{{\n{text}}}\n", function.name)
 }
 
 /// The numbers in a structure as the tables name them, of arrays the first, with those of the
 /// structures that are its members.
-fn places<'a>(
+pub fn places<'a>(
     declared: &'a Declared,
     structure: &'a Structure,
     within: &str,
@@ -411,11 +452,7 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     let (good, rules) = page();
     let cases = cases(&declared, &rules);
 
-    let mut program = HEAD.to_owned();
-    program += PLACES;
-    for (real, suffix) in [("double", ""), ("float", "_f32")] {
-        program += &WHEEL.replace("REAL", real).replace("SUFFIX", suffix);
-    }
+    let mut program = beginning("bad_input.rs");
     let functions: Vec<&Function> =
         declared.functions.iter().filter(|f| f.kind == "kstrip_status").collect();
     let mut calls = String::new();

@@ -5,6 +5,7 @@ mod batch;
 mod binary_interface;
 mod fuzz_properties;
 mod groups;
+mod late_errors;
 mod mistakes;
 mod prepared;
 mod python;

@@ -40,7 +40,9 @@ class Layout(Generic[V]):
         self._parts = [(i, part_of(kind, name), field.shape != ()) for i, (name, field) in enumerate(fields[k] for k in at) if field.base.names]
         #: for structures of numbers only: their format; and whether each member is one number
         self._numbers = None if self._parts else struct.Struct("@" + "".join(_format(name, field) for name, field in fields))
-        self._plain = not any(field.shape for _, field in fields)
+        #: the places of members that are arrays, the last one first
+        self._arrays = [place for place, k in reversed(list(enumerate(at))) if fields[k][1].shape]
+        self._plain = not self._arrays
 
     def pack(self, value: V) -> bytes:
         """The bytes of a value."""
@@ -48,9 +50,16 @@ class Layout(Generic[V]):
             return self.array(value).tobytes()
         members = self._get(value)
         try:
-            return self._numbers.pack(*(members if self._plain else _numbers_of(members)))
+            return self._numbers.pack(*(members if self._plain else self._numbers_of(members)))
         except (struct.error, TypeError, ValueError, OverflowError):
             raise self._wrong(value) from None
+
+    def _numbers_of(self, members: tuple[Any, ...]) -> list[Any]:
+        """The numbers of members one after the other."""
+        numbers = list(members)
+        for place in self._arrays:
+            numbers[place : place + 1] = np.asarray(numbers[place]).ravel().tolist()
+        return numbers
 
     def array(self, value: V) -> NDArray[np.void]:
         """A value as a structured array without dimensions."""
@@ -113,17 +122,6 @@ class Layout(Generic[V]):
 def _format(name: str, field: np.dtype[Any]) -> str:
     """The letters of a member for struct."""
     return f"{field.itemsize}x" if name == "reserved" else f"{math.prod(field.shape)}{field.base.char}"
-
-
-def _numbers_of(members: tuple[Any, ...]) -> list[Any]:
-    """The numbers of members one after the other."""
-    numbers: list[Any] = []
-    for member in members:
-        if isinstance(member, (float, int)):
-            numbers.append(member)
-        else:
-            numbers.extend(np.asarray(member).ravel().tolist())
-    return numbers
 
 
 _layouts: dict[type[Value], Layout[Any]] = {}

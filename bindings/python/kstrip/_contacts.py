@@ -18,32 +18,35 @@ from .values import Creepage, Friction, Motion, WheelContact, WheelPair, WheelVe
 
 
 class _Lists:
-    """Where a contact has the number of its strips and its lists of strips [bytes]."""
+    """Where the workspace of a wheel has its contacts, and a contact the number of its strips and its lists of strips [bytes]."""
 
-    def __init__(self, contact: np.dtype[Any]):
+    def __init__(self, single: bool):
+        contact, workspace = dtype_of("wheel_contact", single), dtype_of("wheel_workspace", single).fields or {}
         fields, patch = dict(contact.fields or {}), dict(contact["patch"].fields or {})
         at = fields["patch"][1]
+        self.begin, self.number_at = workspace["contacts"][1], workspace["count"][1]
         self.size, self.count_at = contact.itemsize, at + patch["count"][1]
         lists = [(at + patch["strips"][1], patch["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_y", "strip_z", "strip_angle"))]
         #: of each list where it begins, the distance of two elements, and where it ends
         self.places = [(begin, kind.base.itemsize, begin + kind.itemsize) for begin, kind in lists]
 
 
-_lists = {single: _Lists(dtype_of("wheel_contact", single)) for single in (False, True)}
+_lists = {single: _Lists(single) for single in (False, True)}
 
 
 class KeptContacts:
-    """Collects the contacts that the calls for wheels leave in a workspace."""
+    """Collects the contacts that the calls for wheels leave in a workspace, which begins at a place of the memory [bytes]."""
 
-    def __init__(self, space: NDArray[np.void], single: bool):
+    def __init__(self, memory: bytearray, single: bool, at: int = 0):
         self._lists, self._dtype = _lists[single], dtype_of("wheel_contact", single)
-        self._memory, self._count = space["contacts"].view(np.uint8).data, space["count"]
+        self._memory, self._begin, self._number_at = memory, at + self._lists.begin, at + self._lists.number_at
         self.parts: list[bytearray] = []
 
     def __call__(self, status: int) -> None:
         """Takes the contacts of a wheel, after the call with this status."""
         size, count_at = self._lists.size, self._lists.count_at
-        kept = bytearray(self._memory[: size * int(self._count) if status >= 0 else 0])
+        number = int.from_bytes(self._memory[self._number_at : self._number_at + 4], sys.byteorder) if status >= 0 else 0
+        kept = self._memory[self._begin : self._begin + size * number]
         for first in range(0, len(kept), size):
             # The library does not write the strips that a contact does not use.
             used = int.from_bytes(kept[first + count_at : first + count_at + 4], sys.byteorder)
@@ -59,12 +62,10 @@ class KeptContacts:
         return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
 
 
-def contacts_in(space: NDArray[np.void], requested: bool) -> Batch[WheelContact]:
+def contacts_in(memory: bytearray, requested: bool, at: int = 0) -> Batch[WheelContact]:
     """The contacts of one wheel in a workspace; none if they are not requested."""
-    if not requested:
-        return Batch(WheelContact, np.zeros(0, dtype_of("wheel_contact", False)))
-    kept = KeptContacts(space, False)
-    kept(0)
+    kept = KeptContacts(memory, False, at)
+    kept(0 if requested else -1)
     return Batch(WheelContact, np.frombuffer(kept.parts[0], dtype_of("wheel_contact", False)))
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 import numpy as np
@@ -37,9 +38,10 @@ class Group(metaclass=Brief):
 
     def _copy(self: G) -> G:
         """An object with the same members."""
-        made = object.__new__(type(self))
-        for name in self.__dataclass_fields__:
-            setattr(made, name, getattr(self, name))
+        kind = type(self)
+        made = object.__new__(kind)
+        for slot in _slots(kind):
+            slot.__set__(made, slot.__get__(self))
         return made
 
     def _shown(self) -> list[tuple[str, str, str]]:
@@ -59,6 +61,12 @@ class Group(metaclass=Brief):
     def __dir__(self) -> list[str]:
         """The members and methods; what every object has is left out."""
         return [name for name in super().__dir__() if not name.startswith("_")]
+
+
+@cache
+def _slots(kind: type[Group]) -> list[Any]:
+    """The descriptors of the members of a class."""
+    return [kind.__dict__[name] for name in kind._names()]
 
 
 def _same(one: Any, other: Any) -> bool:

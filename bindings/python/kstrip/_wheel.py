@@ -160,7 +160,7 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
                                           velocity=(WheelVelocity, velocity))
     (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
     moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
-    kept = KeptContacts(space.array, elements.single)
+    kept = KeptContacts(space.raw, elements.single)
     found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), repeat(space.address), first, second, third, after=kept if contacts else None)
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
@@ -177,7 +177,7 @@ def _one_wheel(rail: PreparedProfile, wheel: PreparedProfile, pair: Any, positio
     status, (wrench, slopes, moved) = call_for_values(
         "kstrip_wheel_on_rail", (prepared("rail", rail, False), prepared("wheel", wheel, False), pair, position, velocity, friction), space,
         Wrench, WrenchDerivatives, WrenchByPosition if by_position else None)
-    made = WheelOnRail(wrench, slopes, moved, contacts_in(space.array, contacts), copy_of(pair), copy_of(position), copy_of(velocity),
+    made = WheelOnRail(wrench, slopes, moved, contacts_in(space.raw, contacts), copy_of(pair), copy_of(position), copy_of(velocity),
                        copy_of(friction), status)
     report(status)
     return made

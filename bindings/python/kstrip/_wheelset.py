@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import struct
 from dataclasses import KW_ONLY, dataclass
+from functools import cache
 from itertools import repeat
 from typing import Any, Optional, Sequence
 
@@ -35,10 +36,8 @@ from .values import (
 
 #: Addresses of four, and of two, structures in memory that Python keeps
 _Four, _Two = ctypes.c_char_p * 4, ctypes.c_char_p * 2
-
-
-def _reals(count: int, single: bool, *numbers: float) -> bytes:
-    return np.array(numbers, np.float32 if single else np.float64).tobytes() if single else struct.pack(f"{count}d", *numbers)
+#: Two, and four, numbers of either precision
+_two, _four = ({single: struct.Struct(f"{count}{'f' if single else 'd'}") for single in (False, True)} for count in (2, 4))
 
 
 @dataclass(slots=True, repr=False, eq=False)
@@ -71,11 +70,12 @@ class Wheelset(Group):
     def structure(self, single: bool) -> tuple[bytes, Any]:
         """The structure of the C library for one call, and what holds the memory to which it points."""
         left = None if self.left_wheel is None else prepared("left_wheel", self.left_wheel, single)
-        laws = [None if law is None else one(name, Friction, law, single) for name, law in (("friction", self.friction), ("left_friction", self.left_friction))]
-        points = _Four(prepared("wheel", self.wheel, single), left, *laws)
+        law = None if self.friction is None else one("friction", Friction, self.friction, single)
+        left_law = None if self.left_friction is None else one("left_friction", Friction, self.left_friction, single)
+        points = _Four(prepared("wheel", self.wheel, single), left, law, left_law)
         pair = one("pair", WheelPair, self.pair, single)
         other = bytes(len(pair)) if self.left_pair is None else one("left_pair", WheelPair, self.left_pair, single)
-        distances = _reals(2, single, number(self.back_to_back, "back_to_back"), number(self.running_circles, "running_circles"))
+        distances = _two[single].pack(number(self.back_to_back, "back_to_back"), number(self.running_circles, "running_circles"))
         return b"".join((points, pair, other, distances)).ljust(dtype_of("wheelset", single).itemsize, b"\0"), points
 
 
@@ -105,7 +105,8 @@ class Track(Group):
         points = _Two(prepared("rail", self.rail, single), left)
         if not isinstance(self.origin, (tuple, list, np.ndarray)) or len(self.origin) != 2:
             raise ValueError(f"origin: two numbers are needed, right and left, not {self.origin!r}")
-        places = _reals(4, single, number(self.gauge, "gauge"), number(self.gauge_depth, "gauge_depth"), *(number(y, "origin") for y in self.origin))
+        right_y, left_y = self.origin
+        places = _four[single].pack(number(self.gauge, "gauge"), number(self.gauge_depth, "gauge_depth"), number(right_y, "origin"), number(left_y, "origin"))
         moves = b""
         if self.motion is not None:
             given = array_of("motion", RailMotion, self.motion, single)
@@ -113,6 +114,13 @@ class Track(Group):
                 raise ValueError(f"motion: two elements are needed, right and left, and this has the shape {given.shape}")
             moves = given.tobytes()
         return b"".join((points, places, moves)).ljust(dtype_of("track", single).itemsize, b"\0"), points
+
+
+@cache
+def _wheels_at(single: bool) -> tuple[int, int]:
+    """Where the workspace of a wheelset has those of the right and the left wheel [bytes]."""
+    wheel, begin = (dtype_of("wheelset_workspace", single).fields or {})["wheel"][:2]
+    return begin, begin + wheel.base.itemsize
 
 
 def _structures(wheelset: Any, track: Any) -> tuple[bool, tuple[Any, Any], Any]:
@@ -216,7 +224,7 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     (forces, first), (slopes, second) = elements.out("wheelset_forces"), elements.out("wheelset_derivatives")
     moved, third = elements.out("wheelset_by_position") if by_position else (None, repeat(None))
     space = memory.of("wheelset_workspace", single)
-    right, left = (KeptContacts(space.array["wheel"][i, ...], single) for i in range(2))
+    right, left = (KeptContacts(space.raw, single, at) for at in _wheels_at(single))
 
     def keep(status: int) -> None:
         right(status)
@@ -240,7 +248,7 @@ def _one_wheelset(wheelset: Wheelset, track: Track, structures: list[bytes], pos
     space = memory.of("wheelset_workspace", False)
     status, (forces, slopes, moved) = call_for_values("kstrip_wheelset_on_track", (*structures, position, velocity), space, WheelsetForces,
                                                       WheelsetDerivatives, WheelsetByPosition if by_position else None)
-    right, left = (contacts_in(space.array["wheel"][i, ...], contacts) for i in range(2))
+    right, left = (contacts_in(space.raw, contacts, at) for at in _wheels_at(False))
     made = WheelsetOnTrack(forces, slopes, moved, (right, left), wheelset._copy(), track._copy(), copy_of(position), copy_of(velocity), status)
     report(status)
     return made

@@ -149,7 +149,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
 /// @param[out] motion     receives the motion, that of a roller included.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE.
+/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_wheel_motion"))]
 pub extern "C" fn kstrip_wheel_motion(
     contact: Option<&WheelContact<F>>,

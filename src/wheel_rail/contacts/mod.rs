@@ -190,12 +190,19 @@ impl<F: Float> WheelContact<F> {
     /// The same, checked.
     ///
     /// # Errors
-    /// [`Error::NotFinite`].
+    /// [`Error::NotFinite`]; [`Error::Overflow`].
     pub fn checked_motion(&self, velocity: &Velocity<F>) -> Result<Motion<F>, Error> {
-        let motion = self.motion(&velocity.members());
-        let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = motion;
-        let members = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
-        Error::NotFinite.unless(are_finite(&members)).map(|()| motion)
+        let velocity = velocity.members();
+        let motion = self.motion(&velocity);
+        let members = |motion: &Motion<F>| {
+            let Motion { slip_x, slip_y, spin_rate, rolling_speed, floor_speed } = *motion;
+            [slip_x, slip_y, spin_rate, rolling_speed, floor_speed]
+        };
+        let given = [&velocity[..], &members(&self.at_rest), &self.rolling_speed];
+        let [x, y, spin] = self.rows();
+        let is_given = given.into_iter().chain([&x[..], &y, &spin]).all(are_finite);
+        Error::NotFinite.unless(is_given)?;
+        Error::Overflow.unless(are_finite(&members(&motion))).map(|()| motion)
     }
 
     /// The factor by which damping changes the pressure: `max(0, 1 + d v_n)`, with the velocity

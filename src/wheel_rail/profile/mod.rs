@@ -12,6 +12,9 @@ use crate::numerics::hermite::{Along, Cubic};
 use crate::status::Error;
 use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
+/// A shorter step than that of the smallest profile that is prepared, 1 µm in 511 steps \[m\].
+const SHORTEST_STEP: f64 = 1e-9;
+
 /// A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
 /// larger y, and its direction. It holds plain numbers and may be copied.
 #[repr(C)]
@@ -96,7 +99,7 @@ impl<F: Float> PreparedProfile<F> {
         let count = self.count as usize;
         let sound = (4..=KSTRIP_SURFACE_CAPACITY).contains(&count)
             && self.step.is_finite_number()
-            && self.step > F::zero()
+            && self.step >= F::of(SHORTEST_STEP)
             && self.spacing.is_finite_number();
         let lists = [&self.y, &self.z, &self.cosine, &self.sine];
         let finite = lists.iter().all(|list| list.get(..count).is_some_and(are_finite));
