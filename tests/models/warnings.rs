@@ -3,6 +3,9 @@
 use crate::prelude::*;
 use kstrip::batch::solve_batch;
 use kstrip::forces::derivatives;
+use kstrip::patch::solver::solve_patch;
+use kstrip_testing::patch_reference::{self, banded, falling, given, real};
+use kstrip_testing::reference::{open, slender, training, turning, unlike, validation};
 
 /// A worn wheel in a curve.
 const ROLLS: Creepage<f64> = creep(1e-4, 1e-4, 0.4);
@@ -68,4 +71,45 @@ fn in_a_batch_each_contact_gets_its_own() {
             }
         }
     }
+}
+
+/// Warnings about an input in another unit that real contacts must never get.
+pub(crate) const OF_UNITS: [Warning; 5] =
+    [Warning::Curvature, Warning::Young, Warning::PerCent, Warning::Damping, Warning::Modulus];
+
+/// The contacts and patches of `tests/data`; its wheels are asserted where they are compared with
+/// CONTACT.
+#[test]
+fn no_contact_of_the_reference_is_taken_for_one_in_other_units() {
+    let mut found = 0;
+    let mut check = |name: &str, warning: Warning| {
+        assert!(!OF_UNITS.contains(&warning), "{name}: {warning:?}");
+        found += 1;
+    };
+    for case in [open(), slender(), turning(), training(), validation()].concat() {
+        let solution = solved::<f64>(&case.contact(), &case.motion(), &sixteen(Model::Strip));
+        check("a contact", solution.warning);
+    }
+    for pair in unlike() {
+        check("unlike", solved(&pair.contact, &pair.motion, &sixteen(Model::Strip)).warning);
+    }
+    let mut patch = |case: &patch_reference::Case, patch: &Full| {
+        let view = patch.view().unwrap();
+        for motion in &case.motions {
+            let solution = solve_patch(&view, &case.creepage(motion), Model::Strip);
+            check(&case.name, solution.unwrap().warning);
+        }
+    };
+    for case in [profiles(), real()].concat() {
+        let (strips, _) = case.patch(StripCount::Sixteen);
+        patch(&case, &strips);
+    }
+    for (case, strips) in given().into_iter().chain(banded(StripCount::Sixteen)) {
+        patch(&case, &strips);
+    }
+    for (case, strips, _) in falling() {
+        patch(&case, &strips);
+    }
+    println!("{found} contacts");
+    assert!(found > 2500, "{found}");
 }

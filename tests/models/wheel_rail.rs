@@ -2,6 +2,7 @@
 //! continuity, friction by place, bad input.
 
 use crate::prelude::*;
+use crate::warnings::OF_UNITS;
 use kstrip::wheel_rail::contacts::from_gap;
 use kstrip::wheel_rail::touch::{Gap, GapSearch};
 use kstrip_testing::manchester::Wheelset;
@@ -152,6 +153,7 @@ fn forces_and_heights_are_those_of_contact() {
         let (mut stand, position, velocity) = stand(row);
         let vertical = stand.height(&position, number(row, "support_N"), Some(&velocity));
         let wrench = stand.solve(&Position { vertical, ..position }, &velocity);
+        assert!(!OF_UNITS.contains(&wrench.warning), "{row:?}");
         let bound = 0.3 * number(row, "normal_force_N");
         let off = |x: &str, y: &str| {
             let [fx, fy, _] = wrench.force;
