@@ -164,11 +164,13 @@ impl<F: Float> Scene<'_, F> {
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
         // by how much the straightened force grows over a rounding of the height
         let mut unsure = F::zero();
+        let mut end = None;
         for tried in 0..HEIGHTS {
             let found = self.support(&Position { vertical: here, ..*position }, velocity, memory);
             let next = match found {
                 Err(error) if is_too_deep(error) => {
                     heights.note_deep(here, error);
+                    end = end.or(Some(error));
                     None
                 }
                 Err(error) => return Err(error),
@@ -186,7 +188,7 @@ impl<F: Float> Scene<'_, F> {
                     }
                     let next = heights.note(here, rest, by_hertz);
                     if memory.count == 0 {
-                        touches = here + nearest(&memory.gap);
+                        touches = nearest(&memory.gap).map_or(touches, |distance| here + distance);
                         if heights.is_above_edge() {
                             let from = heights.lowest.unwrap_or(here);
                             here = self.below_edge(from, expected, length, position, memory)?;
@@ -228,10 +230,15 @@ impl<F: Float> Scene<'_, F> {
                 (None, None) => return Ok((here, Warning::NotConverged)),
             };
         }
-        Ok((here, Warning::NotConverged))
+        // where no height has enough force, a profile ends
+        match end {
+            Some(error) if heights.below.is_none() => Err(error),
+            _ => Ok((here, Warning::NotConverged)),
+        }
     }
 
-    /// The first height below an edge at which the wheel is not too deep: by steps that grow.
+    /// The first height below an edge at which the wheel touches and is not too deep: by steps that
+    /// grow.
     ///
     /// # Errors
     /// [`Error::ProfileEnd`] if there is none within a length; those of [`Scene::place`].
@@ -248,8 +255,9 @@ impl<F: Float> Scene<'_, F> {
             here += step;
             step = step.times(2.0);
             match self.place(&Position { vertical: here, ..*position }, memory) {
-                Err(error) if is_too_deep(error) => {}
-                found => return found.map(|_| here),
+                Err(error) if !is_too_deep(error) => return Err(error),
+                Ok(_) if memory.count > 0 => return Ok(here),
+                _ => {}
             }
         }
         Err(Error::ProfileEnd)
@@ -301,9 +309,8 @@ impl<F: Float> Scene<'_, F> {
     }
 }
 
-/// The least distance of the points of a gap.
-fn nearest<F: Float>(gap: &Gap<F>) -> F {
-    let distances = gap.distance.iter().take(gap.count as usize);
-    let least = distances.fold(F::LARGEST, |least, distance| least.min(*distance));
-    if gap.count > 0 { least.max(F::zero()) } else { F::zero() }
+/// The least distance of the points of a gap; none where all points are farther than the gap reaches.
+fn nearest<F: Float>(gap: &Gap<F>) -> Option<F> {
+    let distances = gap.distance.iter().take(gap.count as usize).copied();
+    distances.reduce(F::min).map(|least| least.max(F::zero()))
 }

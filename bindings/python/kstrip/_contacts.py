@@ -21,7 +21,7 @@ class _Lists:
     """Where the workspace of a wheel has its contacts, and a contact the number of its strips and its lists of strips [bytes]."""
 
     def __init__(self, single: bool):
-        contact, workspace = dtype_of("wheel_contact", single), dtype_of("wheel_workspace", single).fields or {}
+        contact, workspace = dtype_of("wheel_contact", single), dict(dtype_of("wheel_workspace", single).fields or {})
         fields, patch = dict(contact.fields or {}), dict(contact["patch"].fields or {})
         at = fields["patch"][1]
         self.begin, self.number_at = workspace["contacts"][1], workspace["count"][1]

@@ -119,7 +119,7 @@ class Track(Group):
 @cache
 def _wheels_at(single: bool) -> tuple[int, int]:
     """Where the workspace of a wheelset has those of the right and the left wheel [bytes]."""
-    wheel, begin = (dtype_of("wheelset_workspace", single).fields or {})["wheel"][:2]
+    wheel, begin = dict(dtype_of("wheelset_workspace", single).fields or {})["wheel"][:2]
     return begin, begin + wheel.base.itemsize
 
 

@@ -169,7 +169,10 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
             let start = BodyState { position: *given(start)?, velocity: *given(velocity)? };
             let (loads, memory) = (given(loads)?, given(workspace)?);
             let (position, moves) = (given(position)?, given(moves)?);
-            let found = wheelset.settle(&start, loads, memory)?;
+            let [scene, _] = wheelset.scenes;
+            let found = wheelset
+                .settle(&start, loads, memory)
+                .map_err(|error| scene.cause().named(error, &start.position))?;
             position.write(found.state.position);
             moves.write(found.state.velocity);
             put(forces, found.forces);
