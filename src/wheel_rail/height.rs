@@ -309,7 +309,7 @@ impl<F: Float> Scene<'_, F> {
     }
 }
 
-/// The least distance of the points of a gap; none where all points are farther than the gap reaches.
+/// The least distance of the points of a gap; none where all points are farther than it reaches.
 fn nearest<F: Float>(gap: &Gap<F>) -> Option<F> {
     let distances = gap.distance.iter().take(gap.count as usize).copied();
     distances.reduce(F::min).map(|least| least.max(F::zero()))
