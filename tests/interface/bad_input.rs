@@ -370,10 +370,11 @@ impl<'a> Setup<'a> {
         let mut text = format!("    int untouched = {};\n", each_output("OUTPUT, sizeof OUTPUT"));
         if function.arguments.iter().any(|argument| argument.name == "statuses") {
             text += &format!(
-                "    if (!poisoned(statuses, sizeof *statuses)) {{\n        untouched = 1;\n        \
-                 for (int i = 0; !poisoned(statuses + i, sizeof *statuses); i++)\n            \
-                 if (statuses[i] < 0) untouched = untouched && {};\n            \
-                 else untouched = untouched && !({});\n    }}\n",
+                "    if (!poisoned(statuses, sizeof *statuses)) {{\n\
+                 \x20       untouched = 1;\n\
+                 \x20       for (int i = 0; !poisoned(statuses + i, sizeof *statuses); i++)\n\
+                 \x20           if (statuses[i] < 0) untouched = untouched && {};\n\
+                 \x20           else untouched = untouched && !({});\n    }}\n",
                 each_output("OUTPUT + i, sizeof *OUTPUT"),
                 each_output("OUTPUT + i, sizeof *OUTPUT"),
             );

@@ -85,8 +85,8 @@ int main(void)
 
 /// Memory of the computation, which the header excepts from the first promise.
 const MEMORY: [(&str, &str); 1] = [("kstrip_contacts_from_gap", "contacts")];
-/// Outputs that may be infinite: the wave length of a wheelset that does not steer, and numbers that
-/// only the library reads.
+/// Outputs that may be infinite: the wave length of a wheelset that does not steer, and numbers
+/// that only the library reads.
 const INFINITE: [(&str, &str); 2] =
     [("kstrip_equivalent_conicity", "wave_lengths"), ("kstrip_prepare", "prepared")];
 
@@ -163,12 +163,13 @@ fn numbers_of(declared: &Declared, function: &Function, setup: &Setup) -> Vec<(S
 /// The function of C that makes a call with changed arguments.
 fn caller(function: &Function, setup: &Setup, numbers: &[(String, String)]) -> String {
     let mut text = setup.text.clone();
-    text += "    double changed_to;\n    for (int i = 0; i < changed; i++) {\n        const struct change *change = changes \
-             + i;\n        switch (change->place) {\n";
+    text += "    double changed_to;\n    for (int i = 0; i < changed; i++) {\n        \
+             const struct change *change = changes + i;\n        switch (change->place) {\n";
     for (place, (number, kind)) in numbers.iter().enumerate() {
         text += &format!(
-            "        case {place}:\n            changed_to = ({kind})(change->scales ? {number} * \
-             change->value : change->value);\n            if (isfinite(changed_to))\n                \
+            "        case {place}:\n            \
+             changed_to = ({kind})(change->scales ? {number} * change->value : change->value);\n\
+             \x20           if (isfinite(changed_to))\n                \
              {number} = ({kind})changed_to;\n            break;\n"
         );
     }
@@ -194,8 +195,8 @@ fn caller(function: &Function, setup: &Setup, numbers: &[(String, String)]) -> S
             Some(_) => continue,
         };
         text += &format!(
-            "    for (size_t i = 0; i < sizeof {output} / sizeof({}); i++)\n        if (!{test})\n            \
-             *finite = 0;\n",
+            "    for (size_t i = 0; i < sizeof {output} / sizeof({}); i++)\n        \
+             if (!{test})\n            *finite = 0;\n",
             own.unwrap_or(number)
         );
     }
@@ -224,8 +225,8 @@ const LATE: [&str; 13] = [
     "ORIENTATION",
 ];
 
-/// Functions whose result cannot fail once their arguments are valid: they copy numbers, interpolate
-/// in a table, or combine two numbers that stay in their range.
+/// Functions whose result cannot fail once their arguments are valid: they copy numbers,
+/// interpolate in a table, or combine two numbers that stay in their range.
 const SURE: [&str; 5] = [
     "kstrip_options_init",
     "kstrip_result_on_upper_body",

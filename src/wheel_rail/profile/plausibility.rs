@@ -153,8 +153,8 @@ pub(crate) struct Cause<'a, F> {
 }
 
 impl<F: Float> Cause<'_, F> {
-    /// The error that names the likely cause of an error where the surfaces do not meet or carry the
-    /// loads, or the error itself. No input is refused that has a result.
+    /// The error that names the likely cause of an error where the surfaces do not meet or carry
+    /// the loads, or the error itself. No input is refused that has a result.
     #[cold]
     pub fn named(&self, error: Error, position: &Position<F>) -> Error {
         let may_have_a_cause = matches!(
