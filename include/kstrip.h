@@ -170,6 +170,16 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_PER_CENT 30
 /** Warning: implausible damping, which more than doubles the pressure: it is probably in N s/m. */
 #define KSTRIP_WARNING_DAMPING 31
+/**
+ * Warning: another law fits the measured points as well: its residual is at most 1 per cent
+ * larger.
+ */
+#define KSTRIP_WARNING_SECOND_MINIMUM 32
+/**
+ * Warning: a fitted parameter of a law ended at its bound, beyond which the law would come nearer
+ * to the measured points.
+ */
+#define KSTRIP_WARNING_FIT_BOUND 33
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -2700,7 +2710,7 @@ typedef struct kstrip_friction_fit {
      * [N].
      */
     double residual;
-    /** Number of times that all forces were computed. */
+    /** Largest number of times that all forces were computed from one start. */
     uint32_t steps;
     /** The status of this result: 0 or one of the KSTRIP_WARNING constants. */
     kstrip_status status_detail;
@@ -2712,9 +2722,13 @@ typedef struct kstrip_friction_fit {
  * The sum of the squared differences between measured and computed forces, each times the weight
  * of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
  * measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
+ * The search begins at start and at nine other places, unless the points are met exactly, and the
+ * best law is returned, after up to 1000 more steps if 80 do not reach it.
  * Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
  * start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
- * are those of the law: a member that ends at its bound has a standard error of 0.
+ * are those of the law: a member that ends at its bound has a standard error of 0, and the status
+ * is KSTRIP_WARNING_FIT_BOUND. If another law has a residual that is at most 1 per cent larger,
+ * the status is KSTRIP_WARNING_SECOND_MINIMUM.
  *
  * Points that lie on one part of the curve do not determine each parameter. The status is then
  * KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
@@ -2730,7 +2744,7 @@ typedef struct kstrip_friction_fit {
  * @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
  *                        NULL: not requested.
  * @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED,
- *         KSTRIP_WARNING_PER_CENT;
+ *         KSTRIP_WARNING_SECOND_MINIMUM, KSTRIP_WARNING_FIT_BOUND, KSTRIP_WARNING_PER_CENT;
  *         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
  *         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
  *         kstrip_evaluate().

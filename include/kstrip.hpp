@@ -79,6 +79,8 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_young = KSTRIP_WARNING_YOUNG,
     warning_per_cent = KSTRIP_WARNING_PER_CENT,
     warning_damping = KSTRIP_WARNING_DAMPING,
+    warning_second_minimum = KSTRIP_WARNING_SECOND_MINIMUM,
+    warning_fit_bound = KSTRIP_WARNING_FIT_BOUND,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,

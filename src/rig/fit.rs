@@ -9,6 +9,9 @@
 //! (H + λ diag H) δ = −g,   H = Σ w ∂F/∂p ∂F/∂pᵀ,   g = Σ w (F − F_measured) ∂F/∂p
 //! ```
 //!
+//! Of several minima, the least one that is reached from several places is the result. A warning
+//! names another minimum whose residual is at most 1 per cent larger.
+//!
 //! A parameter that a step would lead beyond its bounds ends there, and stays as long as the sum
 //! falls outward. With `m` forces and `n` parameters the standard errors are the roots of the
 //! diagonal of `H⁻¹ Σ w (F − F_measured)²/(m − n)`.
@@ -22,16 +25,37 @@ use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning};
 use nalgebra::{Matrix6, Vector6};
 
-/// Largest number of times that all forces are computed.
+/// Largest number of times that all forces are computed from one start.
 const MOST: usize = 80;
+/// The same from the least minimum, if it has not been reached.
+const MOST_AT_THE_END: usize = 1000;
+/// Starts besides the given one: friction divided by the largest share of the load that was
+/// measured, and the others in the units of the parameters.
+const STARTS: [[f64; 6]; 9] = [
+    [1.05, 0.5, 1.0, 0.5, 0.5, 1.0],
+    [1.05, 0.5, 0.5, 0.1, 0.8, 0.1],
+    [1.2, 0.3, 0.5, 0.3, 0.95, 10.0],
+    [1.05, 0.6, 0.2, 0.6, 0.5, 0.1],
+    [1.1, 0.8, 5.0, 0.2, 0.2, 10.0],
+    [1.6, 0.2, 1.0, 0.1, 0.5, 1.0],
+    [1.05, 0.3, 2.0, 0.05, 0.15, 1.0],
+    [1.1, 0.5, 0.5, 0.95, 0.7, 1.0],
+    [1.7, 0.6, 1.0, 0.06, 0.12, 1.0],
+];
+/// Sum of a minimum divided by that of the least one, up to which the residual is as good: 1.01
+/// squared.
+const AS_GOOD: f64 = 1.0201;
+/// Difference of a parameter divided by its size from which two minima are not the same.
+const APART: f64 = 0.02;
+/// Roundings of the forces that are left at the minimum of exact points.
+const EXACT: f64 = 100.0;
 /// Damping at the start, its least, and the one that ends the search; how it falls and grows.
 const DAMPING: [f64; 3] = [1e-2, 1e-8, 1e8];
 const FALLS: f64 = 0.2;
 const GROWS: f64 = 4.0;
 /// Fall of the sum that ends the search, divided by the sum and by the root of a rounding.
 const REACHED: f64 = 0.01;
-/// Least factors, and least layer over the flexibility of the bodies: below them no derivative is
-/// left.
+/// Least factors, and least layer over the bodies' flexibility: below, no derivative is left.
 const LEAST: f64 = 1e-3;
 /// Error of the forces, over their size, that is presumed at least where it is asked whether the
 /// points tell the parameters; and the share of a parameter that its standard error must not
@@ -76,7 +100,7 @@ pub struct FrictionFit<F> {
     /// Root of the weighted mean of the squared differences between measured and computed forces
     /// \[N\].
     pub residual: F,
-    /// Number of times that all forces were computed.
+    /// Largest number of times that all forces were computed from one start.
     pub steps: u32,
     /// The status of this result: 0 or one of the KSTRIP_WARNING constants.
     pub warning: Warning,
@@ -117,6 +141,8 @@ struct Fit<'a, F> {
     /// In these units.
     low: Vector6<F>,
     high: Vector6<F>,
+    /// The largest measured force divided by the load.
+    used: F,
     /// How many forces count, the sum of their weights, and that of their weighted squares over
     /// `N²`.
     count: usize,
@@ -133,6 +159,15 @@ struct Sums<F> {
     total: F,
     gradient: Vector6<F>,
     normal: Matrix6<F>,
+}
+
+/// A minimum of the sum.
+#[derive(Clone, Copy)]
+struct Minimum<F> {
+    at: Vector6<F>,
+    sums: Sums<F>,
+    steps: usize,
+    settled: bool,
 }
 
 impl<F: Float> MeasuredForce<F> {
@@ -231,6 +266,7 @@ impl<'a, F: Float> Fit<'a, F> {
             units,
             low,
             high,
+            used,
             count,
             weights,
             squares,
@@ -281,18 +317,68 @@ impl<'a, F: Float> Fit<'a, F> {
         Ok(sums)
     }
 
+    /// The least of the minima that are reached from all starts.
     fn find(&self) -> Result<FrictionFit<F>, (usize, Error)> {
-        let mut at = parameters(&self.start).zip_map(&self.units, |start, unit| start / unit);
-        at = at.zip_zip_map(&self.low, &self.high, F::clamped);
-        let [start, least, most] = DAMPING.map(F::of);
+        let given = parameters(&self.start).zip_map(&self.units, |start, unit| start / unit);
+        let rounding = self.rounding();
+        let mut best = self.minimum(&given, MOST);
+        let mut is_alone = true;
+        for start in STARTS {
+            if best.as_ref().is_ok_and(|best| best.sums.total <= rounding) {
+                break;
+            }
+            let mut start = Vector6::from(start.map(F::of));
+            start.iter_mut().take(1).for_each(|friction| *friction = *friction * self.used);
+            let start = given.zip_zip_map(&self.fitted, &start, choose);
+            let Ok(other) = self.minimum(&start, MOST) else { continue };
+            let Ok(found) = best else {
+                best = Ok(other);
+                continue;
+            };
+            let is_less = other.sums.total < found.sums.total;
+            let (less, more) = if is_less { (other, found) } else { (found, other) };
+            if more.sums.total > less.sums.total.times(AS_GOOD) + rounding {
+                is_alone |= is_less;
+            } else if more.settled {
+                is_alone &= !self.are_apart(&less.at, &more.at);
+            }
+            best = Ok(Minimum { steps: less.steps.max(more.steps), ..less });
+        }
+        let best = best?;
+        if best.settled {
+            return Ok(self.result(&best, is_alone));
+        }
+        let end = self.minimum(&best.at, MOST_AT_THE_END)?;
+        Ok(self.result(&Minimum { steps: best.steps + end.steps, ..end }, is_alone))
+    }
+
+    /// What is left of the sum at the minimum of exact points.
+    fn rounding(&self) -> F {
+        self.squares * (F::EPSILON * F::EPSILON).times(EXACT * EXACT)
+    }
+
+    /// Whether a fitted parameter of two minima differs by more than a small share of its size.
+    fn are_apart(&self, one: &Vector6<F>, other: &Vector6<F>) -> bool {
+        one.iter().zip(other).zip(&self.fitted).any(|((one, other), fitted)| {
+            *fitted && (*one - *other).abs() > one.abs().max(other.abs()).times(APART)
+        })
+    }
+
+    /// The minimum that is reached from a start. A trial step that has no forces is a bad step.
+    ///
+    /// # Errors
+    /// Those of [`differentiate_with_law`] at the start.
+    fn minimum(&self, start: &Vector6<F>, most: usize) -> Result<Minimum<F>, (usize, Error)> {
+        let mut at = start.zip_zip_map(&self.low, &self.high, F::clamped);
+        let [start, least, stiffest] = DAMPING.map(F::of);
         let mut damping = start;
         let mut sums = self.sums(&at)?;
         let (mut steps, mut settled) = (1, false);
-        while steps < MOST && !settled {
+        while steps < most && !settled {
             let free = self.free(&at, &sums);
             let Some(inverse) = sums.inverted(&free, damping) else {
                 damping = damping.times(GROWS);
-                settled = damping > most;
+                settled = damping > stiffest;
                 continue;
             };
             let mut next = at;
@@ -303,19 +389,20 @@ impl<'a, F: Float> Fit<'a, F> {
             }
             next = next.zip_zip_map(&self.low, &self.high, F::clamped);
             steps += 1;
-            let found = self.sums(&next)?;
-            let fall = sums.total - found.total;
-            if fall > F::zero() {
+            let found = self.sums(&next).ok().filter(|found| found.total < sums.total);
+            if let Some(found) = found {
+                let fall = sums.total - found.total;
                 (at, sums) = (next, found);
                 let rounding = self.squares * F::EPSILON * F::EPSILON;
                 settled = fall <= sums.total * F::EPSILON.sqrt().times(REACHED) + rounding;
                 damping = damping.times(FALLS).max(least);
             } else {
                 damping = damping.times(GROWS);
-                settled = damping > most || next == at;
+                settled = damping > stiffest || next == at;
             }
         }
-        Ok(self.result(&at, &sums, steps, settled))
+        settled |= sums.total <= self.rounding();
+        Ok(Minimum { at, sums, steps, settled })
     }
 
     /// Which parameters may move: those that are fitted, and not at a bound beyond which the sum
@@ -328,13 +415,14 @@ impl<'a, F: Float> Fit<'a, F> {
         self.fitted.zip_zip_map(&below, &above, |fitted, below, above| fitted && !below && !above)
     }
 
-    fn result(
-        &self,
-        at: &Vector6<F>,
-        sums: &Sums<F>,
-        steps: usize,
-        settled: bool,
-    ) -> FrictionFit<F> {
+    /// Whether the sum would fall beyond a bound that a parameter has reached. At the bounds of
+    /// ratio and of both factors the law is the usual one, and so it is below the least layer.
+    fn is_at_bound(&self, at: &Vector6<F>, sums: &Sums<F>) -> bool {
+        self.free(at, sums) != self.fitted
+    }
+
+    fn result(&self, found: &Minimum<F>, is_alone: bool) -> FrictionFit<F> {
+        let Minimum { at, sums, steps, settled } = found;
         let (zero, load) = (F::zero(), self.contact.normal_force);
         let free = self.free(at, sums);
         let moves = free.iter().filter(|free| **free).count();
@@ -358,7 +446,13 @@ impl<'a, F: Float> Fit<'a, F> {
             errors = variances.map(|variance| (variance * left).max(zero).sqrt().min(F::HUGE));
         }
         errors = errors.zip_map(&self.units, |error, unit| (error * unit).min(F::HUGE));
-        let warnings = [(!settled, Warning::NotConverged), (!tells, Warning::Undetermined)];
+        let warnings = [
+            // a search along parameters that the points do not determine need not end
+            (!settled && tells, Warning::NotConverged),
+            (!tells, Warning::Undetermined),
+            (!is_alone, Warning::SecondMinimum),
+            (self.is_at_bound(at, sums), Warning::FitBound),
+        ];
         let law = self.law(at);
         let [[_, _, _, is_fitted, _, _]] = self.fitted.data.0;
         let is_soft = is_fitted && law.slope_factor < F::of(SOFTEST);
@@ -367,7 +461,7 @@ impl<'a, F: Float> Fit<'a, F> {
             law,
             standard_errors: with_parameters(&SlipFriction::default(), errors),
             residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
-            steps: steps as u32,
+            steps: *steps as u32,
             warning: Warning::first(&warnings).worse(per_cent),
         }
     }

@@ -344,3 +344,81 @@ fn the_error_of_a_layer_is_a_share_of_it() {
     let share = found.standard_errors.layer / found.law.layer;
     assert!(share > 1e-3 && share < 0.1, "{found:?}");
 }
+
+/// Laws of all kinds from starts of all kinds: exact points come back, unless a warning names what
+/// is not determined.
+#[test]
+fn the_start_of_a_fit_does_not_matter() {
+    let mut random = Random::new(4446);
+    let cases = std::env::var("KSTRIP_FITS").map_or(120, |cases| cases.parse().unwrap());
+    let (mut exact, mut warned) = (0, [0; 3]);
+    for k in 0..cases {
+        let truth = SlipFriction {
+            friction: random.log_between(0.05, 0.6),
+            ratio: random.between(0.1, 0.9),
+            decay: random.log_between(0.05, 3.0),
+            rolling_speed: random.log_between(1.0, 60.0),
+            slope_factor: random.log_between(0.06, 1.0),
+            slide_factor: random.between(0.1, 1.0),
+            layer: 0.0,
+        };
+        let mut fitted = [0; 6].map(|_| random.unit() < 0.5);
+        fitted[5] = false;
+        fitted[0] |= !fitted.contains(&true);
+        let far = random.log_between(1.0, 1e6);
+        let mut off = |x: f64, most: f64| (x * random.log_between(1.0 / far, far)).min(most);
+        let changed = SlipFriction {
+            friction: off(truth.friction, 1e5),
+            ratio: off(truth.ratio, 1.0),
+            decay: off(truth.decay, 1e5),
+            slope_factor: off(truth.slope_factor, 1.0),
+            slide_factor: off(truth.slide_factor, 1.0),
+            ..truth
+        };
+        let [a, b, c, d, e, _] = fitted;
+        let start = SlipFriction {
+            friction: if a { changed.friction } else { truth.friction },
+            ratio: if b { changed.ratio } else { truth.ratio },
+            decay: if c { changed.decay } else { truth.decay },
+            slope_factor: if d { changed.slope_factor } else { truth.slope_factor },
+            slide_factor: if e { changed.slide_factor } else { truth.slide_factor },
+            ..truth
+        };
+        let points = made(&truth, 16, |i| 4e-4 * 1.3_f64.powf(i), |_| 1.0);
+        let found = fit(&points, fitted, start);
+        match found.warning {
+            Warning::Undetermined => warned[0] += 1,
+            Warning::SecondMinimum => warned[1] += 1,
+            Warning::FitBound => warned[2] += 1,
+            other => {
+                assert_eq!(other, Warning::None, "{k} {truth:?} {start:?} {fitted:?} {found:?}");
+                exact += 1;
+                let (own, law) = (&truth, &found.law);
+                for (one, other) in [
+                    (own.friction, law.friction),
+                    (own.ratio, law.ratio),
+                    (own.decay, law.decay),
+                    (own.slope_factor, law.slope_factor),
+                    (own.slide_factor, law.slide_factor),
+                ] {
+                    let is_near = (one - other).abs() <= 1e-6 * one.max(1e-3);
+                    assert!(is_near, "{k} {truth:?} {start:?} {fitted:?} {found:?}");
+                }
+            }
+        }
+    }
+    println!("exact {exact}, undetermined, second minimum, bound {warned:?} of {cases}");
+    assert!(exact * 2 > cases);
+}
+
+/// Points that lie above any law end at its bound, and a warning names that.
+#[test]
+fn a_bound_is_named() {
+    let law = falling(0.3, 0.5, 0.5, 10.0, 1.0);
+    // the curve is steeper than that of clean bodies
+    let points = made(&law, 10, |i| 2e-4 * i, |_| 1.5);
+    let start = SlipFriction { friction: 0.45, ..law };
+    let found = fit(&points, [false, false, false, true, false, false], start);
+    assert_eq!((found.warning, found.law.slope_factor), (Warning::FitBound, 1.0));
+    assert_eq!(found.standard_errors.slope_factor, 0.0);
+}

@@ -1025,7 +1025,7 @@ class FrictionFit(Value):
     law: The law.
     standard_errors: Standard errors of its members, from the remaining differences between points and law; 0 for a member that was not fitted or that ended at a bound.
     residual: Root of the weighted mean of the squared differences between measured and computed forces [N].
-    steps: Number of times that all forces were computed.
+    steps: Largest number of times that all forces were computed from one start.
     status_detail: The status of this result: 0 or one of the KSTRIP_WARNING constants.
     """
 
