@@ -7,7 +7,7 @@ import struct
 from dataclasses import KW_ONLY, dataclass
 from functools import cache
 from itertools import repeat
-from typing import Any, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -85,7 +85,8 @@ class Track(Group):
 
     rail: the prepared profile of the right rail; left_rail: None: as the right one. gauge: distance of the gauge faces [m], measured down
     to gauge_depth below the top [m], 0: 14 mm. origin: distances of the rails' origins from the middle of the track, right and left [m];
-    0: from the gauge. motion: rail_motion() of shape (2,), right and left; None: at rest.
+    0: from the gauge. motion: rail_motion() of shape (..., 2), right and left; the dimensions before the last broadcast with the other
+    arguments of a call, so that each wheelset has rails of its own. None: at rest.
 
     >>> kstrip.Track(rail, gauge=1.435).gauge
     1.435
@@ -110,9 +111,9 @@ class Track(Group):
         moves = b""
         if self.motion is not None:
             given = array_of("motion", RailMotion, self.motion, single)
-            if given.shape != (2,):
-                raise ValueError(f"motion: two elements are needed, right and left, and this has the shape {given.shape}")
-            moves = given.tobytes()
+            if given.shape[-1:] != (2,):
+                raise ValueError(f"motion: two elements are needed in the last dimension, right and left, and this has the shape {given.shape}")
+            moves = given.tobytes() if given.ndim == 1 else b""
         return b"".join((points, places, moves)).ljust(dtype_of("track", single).itemsize, b"\0"), points
 
 
@@ -131,6 +132,24 @@ def _structures(wheelset: Any, track: Any) -> tuple[bool, tuple[Any, Any], Any]:
     single = is_single(wheelset.wheel, track.rail)
     (first, kept), (second, also) = wheelset.structure(single), track.structure(single)
     return single, (repeat(first), repeat(second)), (kept, also)
+
+
+def _motions(track: Track) -> dict[str, tuple[Any, Any]]:
+    """The motions of both rails as arguments that broadcast; none if all wheelsets have the same."""
+    if track.motion is None or track.motion.ndim < 2:
+        return {}
+    return {name: (RailMotion, track.motion[..., k]) for k, name in enumerate(("right_motion", "left_motion"))}
+
+
+def _tracks(elements: Elements, motions: dict[str, tuple[Any, Any]], one: Iterator[bytes]) -> Iterator[Any]:
+    """The track of each element: the same structure, with the motions of the element."""
+    if not motions:
+        return one
+    tracks = np.frombuffer(next(one), dtype_of("track", elements.single)).repeat(elements.count)
+    for k, name in enumerate(motions):
+        tracks["motion"][:, k] = elements.array(name)[0]
+    # The generator keeps the structures as long as their addresses are used
+    return (tracks.ctypes.data + k * tracks.itemsize for k in range(elements.count))
 
 
 @dataclass(slots=True, repr=False, eq=False)
@@ -190,13 +209,13 @@ class WheelsetOnTrack(Group):
     def _velocity(self, number: int, side: float) -> Any:
         """The velocity of a wheel's centre relative to its rail: that of the wheelset's centre and that of its turning."""
         at, moves, arm = self.position, self.velocity, side * self.wheelset.half_distance
-        rail = None if self.track.motion is None else self.track.motion[number]
+        rail = None if self.track.motion is None else self.track.motion[..., number]
         # Components along the wheelset's own x and z, which roll turns about x and then yaw about z
         along, down = -arm * np.asarray(moves.yaw), arm * np.asarray(moves.roll)
         roll, yaw = np.asarray(at.roll), np.asarray(at.yaw)
         return make(WheelVelocity, np.float64, forward=moves.forward + along * np.cos(yaw),
-                    lateral=moves.lateral + along * np.cos(roll) * np.sin(yaw) - down * np.sin(roll) - (rail.lateral_velocity if rail else 0.0),
-                    vertical=moves.vertical + along * np.sin(roll) * np.sin(yaw) + down * np.cos(roll) - (rail.vertical_velocity if rail else 0.0),
+                    lateral=moves.lateral + along * np.cos(roll) * np.sin(yaw) - down * np.sin(roll) - (0.0 if rail is None else rail.lateral_velocity),
+                    vertical=moves.vertical + along * np.sin(roll) * np.sin(yaw) + down * np.cos(roll) - (0.0 if rail is None else rail.vertical_velocity),
                     roll=moves.roll, pitch=moves.pitch, yaw=moves.yaw)
 
 
@@ -206,7 +225,7 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
 
     position: wheel_position() of the wheelset's centre in the axes of the track; vertical is zero when the centre is the mean of the
     radii above the rails' origins. velocity: wheel_velocity() of the centre relative to the momentary track: curve_motion().
-    position and velocity broadcast.
+    position, velocity and the motion of the track broadcast.
     by_position: also the derivatives with respect to the position. contacts: False leaves them out. on_error: "raise" or "nan", as in solve().
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
@@ -218,9 +237,10 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     T-gamma of the right wheel 14 N
     """
     single, structures, kept = _structures(wheelset, track)
-    if on_error == "raise" and are_values(position, velocity) and not single:
+    motions = _motions(track)
+    if on_error == "raise" and are_values(position, velocity) and not single and not motions:
         return _one_wheelset(wheelset, track, [next(each) for each in structures], position, velocity, by_position, contacts)
-    elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity))
+    elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity), **motions)
     (forces, first), (slopes, second) = elements.out("wheelset_forces"), elements.out("wheelset_derivatives")
     moved, third = elements.out("wheelset_by_position") if by_position else (None, repeat(None))
     space = memory.of("wheelset_workspace", single)
@@ -230,8 +250,8 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
         right(status)
         left(status)
 
-    found = elements.run("kstrip_wheelset_on_track", *structures, *elements.columns.values(), repeat(space.address), first, second, third,
-                         after=keep if contacts else None)
+    found = elements.run("kstrip_wheelset_on_track", structures[0], _tracks(elements, motions, structures[1]), elements.columns["position"],
+                         elements.columns["velocity"], repeat(space.address), first, second, third, after=keep if contacts else None)
     del kept
     statuses = elements.statuses(found, forces, slopes, moved)
     made = WheelsetOnTrack(elements.result(WheelsetForces, forces, statuses), elements.result(WheelsetDerivatives, slopes, statuses),
@@ -272,7 +292,7 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     """Height, roll and pitch rate at which the rails carry given loads, at given lateral position, yaw and speed.
 
     vertical: downward force at the centre, weight included [N]. roll: moment onto the right rail [N m]. pitch: torque about the axle
-    [N m], negative where it drives forward. start, velocity and loads broadcast. on_error: "raise" or "nan", as in solve().
+    [N m], negative where it drives forward. start, velocity, loads and the motion of the track broadcast. on_error: "raise" or "nan", as in solve().
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5))
@@ -281,12 +301,13 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     [78.3 78.9 80.  81.1 81.7]
     """
     single, structures, kept = _structures(wheelset, track)
+    motions = _motions(track)
     elements = Elements(single, on_error, start=(WheelPosition, start), velocity=(WheelVelocity, velocity), vertical=(float, vertical),
-                        roll=(float, roll), pitch=(float, pitch))
+                        roll=(float, roll), pitch=(float, pitch), **motions)
     (positions, first), (rates, second), (forces, third) = (elements.out(name) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
     loads = map(struct.Struct("3f" if single else "3d").pack, *(elements.columns[name] for name in ("vertical", "roll", "pitch")))
-    found = elements.run("kstrip_wheelset_settle", *structures, elements.columns["start"], elements.columns["velocity"], loads,
-                         repeat(memory.of("wheelset_workspace", single).address), first, second, third)
+    found = elements.run("kstrip_wheelset_settle", structures[0], _tracks(elements, motions, structures[1]), elements.columns["start"],
+                         elements.columns["velocity"], loads, repeat(memory.of("wheelset_workspace", single).address), first, second, third)
     del kept
     statuses = elements.statuses(found, positions, rates, forces)
     made = Settled(elements.result(WheelPosition, positions, statuses), elements.result(WheelVelocity, rates, statuses),
@@ -298,7 +319,7 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
                               statuses: Optional[NDArray[np.int32]] = None) -> Any:
     """The difference of the rolling radii, right minus left [m], at each lateral shift [m] of a wheelset without yaw.
 
-    with_roll: False: without roll, as EN 15302 has it. on_error: "raise" or "nan", as in solve().
+    with_roll: False: without roll, as EN 15302 has it. shifts and the motion of the track broadcast. on_error: "raise" or "nan", as in solve().
     statuses: an array in the shape of the results that receives the status of each.
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
@@ -306,10 +327,11 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
     [-0.97  0.    0.97]
     """
     single, structures, kept = _structures(wheelset, track)
-    elements = Elements(single, on_error, shifts=(float, shifts))
+    motions = _motions(track)
+    elements = Elements(single, on_error, shifts=(float, shifts), **motions)
     differences, places = elements.real()
     given = map(struct.Struct("f" if single else "d").pack, elements.columns["shifts"])
-    found = elements.run("kstrip_rolling_radius_difference", *structures, given, repeat(1), repeat(int(bool(with_roll))),
+    found = elements.run("kstrip_rolling_radius_difference", structures[0], _tracks(elements, motions, structures[1]), given, repeat(1), repeat(int(bool(with_roll))),
                          repeat(memory.of("wheelset_workspace", single).address), places, repeat(None))
     del kept
     told = elements.statuses(found, differences)

@@ -97,6 +97,30 @@ class OnTrack(unittest.TestCase):
         track.motion = None
         self.assertNotEqual(one.track.motion, None)
 
+    def test_each_wheelset_has_rails_that_move(self):
+        """Irregularities at several places of the track, and several wheelsets: as one call for each."""
+        places = kstrip.rail_motion(lateral=[[1e-3, 0.0], [0.0, -5e-4], [0.0, 0.0]], vertical=[[0.0, 2e-4], [1e-4, 0.0], [0.0, 0.0]],
+                                    vertical_velocity=[[1e-3, 0.0], [0.0, 0.0], [0.0, 0.0]])
+        track = kstrip.Track(scene.RAIL, gauge=1.435, motion=places)
+        start = kstrip.wheel_position(lateral=[[1e-3], [3e-3]])
+        still = kstrip.wheelset_settle(WHEELSET, track, start, ROLLING, 100e3)
+        on = kstrip.wheelset_on_track(WHEELSET, track, still.position, still.velocity, by_position=True)
+        radii = kstrip.rolling_radius_difference(WHEELSET, track, [[1e-3], [3e-3]])
+        self.assertEqual((still.position.shape, on.forces.shape, radii.shape), ((2, 3), (2, 3), (2, 3)))
+        for i in range(2):
+            for j in range(3):
+                own = kstrip.Track(scene.RAIL, gauge=1.435, motion=places[j])
+                alone = kstrip.wheelset_settle(WHEELSET, own, start[i, 0], ROLLING, 100e3)
+                self.assertEqual((alone.position, alone.velocity, alone.forces), (still.position[i, j], still.velocity[i, j], still.forces[i, j]))
+                one = kstrip.wheelset_on_track(WHEELSET, own, alone.position, alone.velocity, by_position=True)
+                self.assertEqual((one.forces, one.by_position, one.right.velocity), (on.forces[i, j], on.by_position[i, j], on.right.velocity[i, j]))
+                self.assertEqual(radii[i, j], kstrip.rolling_radius_difference(WHEELSET, own, 1e-3 * (1 + 2 * i)))
+        self.assertNotEqual(still.position[0, 0], still.position[0, 2])
+        # One position on several tracks
+        self.assertEqual(kstrip.wheelset_on_track(WHEELSET, track, still.position[0, 2], ROLLING).forces.shape, (3,))
+        with self.assertRaisesRegex(ValueError, r"position \(2,\), right_motion \(3,\)"):
+            kstrip.wheelset_on_track(WHEELSET, track, start[:, 0], ROLLING)
+
     def test_one_wheelset_does_not_lose_the_others(self):
         starts = kstrip.wheel_position(lateral=np.linspace(-8e-3, 8e-3, 81))
         still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, 100e3, on_error="nan")
