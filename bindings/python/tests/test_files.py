@@ -498,6 +498,17 @@ class Files(unittest.TestCase):
         self.assertIn("1 points of weight 0 are left out", found.notes)
         self.assertIn("approx.smooth = 0.3 is not applied", "\n".join(found.notes))
 
+    def test_gensys(self):
+        """Columns in mm with y toward the middle of the track, z down, from the field side, and comments after the numbers."""
+        for name, extension, kind in (("s1002", "wheel", "wheel"), ("avgwhl", "wheel", "wheel"), ("uic60", "rail", "rail"), ("avgHR", "rail", "rail")):
+            rows = [f"{y:10.5f} {z:10.5f}" for y, z in (points(name) * [-1, 1])[::-1]]
+            rows[1] += "   # Start as far out as possible."
+            with self.subTest(name):
+                found = self.read(f"{name}.{extension}", ["# a tool", *rows])
+                self.assertEqual(found.kind, kind)
+                self.same(found, points(name), 6e-9)
+                self.assertIn("mirrored", "".join(found.notes))
+
     def test_vampire(self):
         """Both sides across the track in mm: wheels with z down and the tread datum 70 mm from the flange back, rails with z up."""
         wheel, rail = points("s1002"), points("uic60")
