@@ -225,7 +225,10 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SLOPE_FACTOR -18
 /** Error: no friction explains the measured force. */
 #define KSTRIP_ERROR_UNEXPLAINED -19
-/** Error: the requested force exceeds mu N. */
+/**
+ * Error: the requested force exceeds mu N, or the torque about an axle exceeds what friction
+ * carries at any pitch rate.
+ */
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
 /** Error: the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
 #define KSTRIP_ERROR_MEASURED -21
@@ -309,7 +312,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_ORIENTATION -55
 /** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
 #define KSTRIP_ERROR_GAUGE -60
-/** Error: no position of the wheelset balances the loads while both wheels touch. */
+/** Error: no position of the wheelset balances the loads. */
 #define KSTRIP_ERROR_WHEEL_LIFTED -61
 /**
  * Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii turn
@@ -2418,8 +2421,12 @@ typedef struct kstrip_wheelset_loads {
 
 /**
  * A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
- * given lateral position, yaw and speed. Use it to begin a run, and for tables. Newton's method
- * with at most 40 steps.
+ * given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction
+ * from 0 on, any speed and rollers are possible. Heights and roll are balanced at each pitch
+ * rate, and the pitch rate lies in a bracket around those at which the contacts roll purely.
+ * Without friction it is that of pure rolling on the mean radius. Six evaluations with
+ * derivatives are usual. A wheel is lifted in the result only if no balance is found with both
+ * wheels on the rails.
  *
  * @param set, track      as in kstrip_wheelset_on_track().
  * @param start           lateral and yaw; vertical and roll are where the search begins.
@@ -2431,7 +2438,7 @@ typedef struct kstrip_wheelset_loads {
  * @param[out] moves      receives the velocity, with the pitch rate.
  * @param[out] forces     receives the forces there; NULL: not needed.
  * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
- *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
+ *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads),
  *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
  */
 kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,

@@ -117,7 +117,10 @@ statuses! {
             "no friction explains the measured force",
             "check signs (forces act on the lower body) and creepage";
         KSTRIP_ERROR_FORCE_BEYOND_FRICTION ForceBeyondFriction = -20:
-            "the requested force exceeds mu N", "no creepage gives it";
+            "the requested force exceeds mu N, or the torque about an axle exceeds what friction \
+             carries at any pitch rate",
+            "a force below mu N is possible, and a torque below the sum over both wheels of \
+             friction, load and rolling radius";
         KSTRIP_ERROR_MEASURED Measured = -21:
             "the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum";
         KSTRIP_ERROR_NOT_PREPARED NotPrepared = -22:
@@ -207,7 +210,7 @@ statuses! {
             "a gauge, a place of a rail or a distance of wheels is missing or negative",
             "they must be > 0 (metres)";
         KSTRIP_ERROR_WHEEL_LIFTED WheelLifted = -61:
-            "no position of the wheelset balances the loads while both wheels touch",
+            "no position of the wheelset balances the loads",
             "a wheel lifts";
         KSTRIP_ERROR_CONICITY Conicity = -62:
             "no wave has this amplitude: it is not positive or beyond the shifts, or the radii \

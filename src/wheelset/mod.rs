@@ -8,7 +8,7 @@
 //! 2. [`kinematics`] has position and velocity of each wheel over its rail, with their derivatives.
 //! 3. [`forces`] adds the wrenches of both wheels, with derivatives with respect to velocities and
 //!    positions of the wheelset and of both rails.
-//! 4. [`settle`] finds height, roll and pitch rate for given loads.
+//! 4. [`settle`] finds height, roll and pitch rate for given loads, with the steps of `balance`.
 //! 5. [`conicity`] has the difference of the rolling radii against the lateral shift, and
 //!    equivalent conicity.
 //!
@@ -21,6 +21,7 @@
 //! ∂Q/∂u = Σ Aᵀ ∂W/∂w A,   ∂Q/∂q = Σ Aᵀ (∂W/∂q + ∂W/∂w ∂A/∂q u) + ∂Aᵀ/∂q W
 //! ```
 
+mod balance;
 pub mod conicity;
 pub mod forces;
 pub mod kinematics;

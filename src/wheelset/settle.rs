@@ -1,39 +1,42 @@
 //! Height, roll and pitch rate of a wheelset under given loads.
 //!
-//! Three equations for the vertical places `h` of both wheels and the pitch rate: vertical force,
-//! roll moment and moment about the axle balance the loads. The search begins where pressure alone
-//! carries the loads, and goes on by Newton's method with the derivatives of the forces, with
-//! bounded steps that must lessen the rest. Where it finds no balance, a wheel lifts if the roll
-//! moment turns the wheelset onto the other one that carries all.
+//! The heights of both wheels, which are vertical position and roll, follow from vertical force and
+//! roll moment at any pitch rate (`balance`). The moment about the axle falls
+//! with the pitch rate from the one at which all wheels drive to the one at which all wheels brake,
+//! and a bracket contains the root. The search begins at the pitch rate of pure rolling on the mean
+//! radius, and goes on by Newton's method. If the heights find no balance on the way, it begins
+//! again at the pitch rate at which one of the contacts rolls purely. If no search ends with both
+//! wheels on the rails, all begin again, and one wheel may lift: the other one then balances the
+//! loads by the roll.
 
-use super::KSTRIP_WHEELSET_FREEDOMS;
-use super::forces::{
-    Wheelset, WheelsetByPosition, WheelsetDerivatives, WheelsetForces, WheelsetWorkspace,
-};
+use super::balance::{Balance, Loaded};
+use super::forces::{Wheelset, WheelsetForces, WheelsetWorkspace};
 use super::kinematics::Kinematics;
 use crate::number::{Float, are_finite, at};
+use crate::numerics::Bracket;
 use crate::status::{Error, Warning};
 use crate::wheel_rail::scene::Scene;
-use crate::wheel_rail::{BodyState, Position, Requested, Velocity, cross, dot};
+use crate::wheel_rail::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Velocity};
+use heapless::Vec;
 
-/// Newton's steps, and halvings of a step.
-const STEPS: usize = 40;
-const HALVINGS: usize = 8;
-/// Largest change of a wheel's height in a step \[m\].
-const FARTHEST: f64 = 1e-4;
-/// Largest change of the rim's speed in a step, over the rolling speed, and at standstill \[m/s\].
+/// Largest number of pitch rates at which the wheelset is balanced.
+const RATES: usize = 100;
+/// Largest first change of the rim's speed, over the rolling speed, and at standstill \[m/s\].
 const SLIP: f64 = 0.02;
 const SLOW_SLIP: f64 = 0.02;
-/// Steps below these roundings of radius and speed end, if the rest is below this share.
-const ROUNDING: f64 = 64.0;
+/// Speed of the rim over the rolling speed and 1 m/s up to which the moment is searched.
+const FASTEST: f64 = 1e3;
+/// Steps in which the largest moment of falling friction is searched.
+const CRESTS: usize = 24;
+/// Moment over its scale that is left where the pitch rates of a bracket are neighbours.
 const NEARLY: f64 = 0.01;
 /// Least share of the load that a wheel is taken to carry at the beginning.
 const LEAST: f64 = 0.02;
-/// Share of the load that a wheel carries which is about to lift.
-const BARELY: f64 = 1e-6;
 /// How often both heights are found for the wheels' loads, and the change that ends this \[m\].
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
+/// Pitch rates at which a search begins: that of the mean radius, and those of all contacts.
+const STARTS: usize = 1 + 2 * KSTRIP_CONTACTS_CAPACITY;
 
 /// Loads of the vehicle and of gravity on a wheelset that does not accelerate.
 #[repr(C)]
@@ -63,9 +66,11 @@ impl<F: Float> Wheelset<'_, F> {
     /// Finds the vertical position, the roll and the pitch rate at which the rails balance the
     /// loads, at given lateral position, yaw and other velocities.
     ///
-    /// # Errors [`Error::NotFinite`]; [`Error::Support`] for a vertical load that is not
-    /// positive; [`Error::WheelLifted`] where a wheel would lift; [`Error::ForceBeyondFriction`]
-    /// for a torque that friction does not carry; those of [`Wheelset::solve`].
+    /// # Errors
+    /// [`Error::NotFinite`]; [`Error::Support`] for a vertical load that is not positive;
+    /// [`Error::WheelLifted`] if no heights balance force and roll moment, not even with one of the
+    /// wheels lifted; [`Error::ForceBeyondFriction`] for a torque that friction does not carry;
+    /// those of [`Wheelset::solve`].
     pub fn settle(
         &self,
         start: &BodyState<F>,
@@ -81,108 +86,39 @@ impl<F: Float> Wheelset<'_, F> {
             let carried = vertical.times(0.5) + roll / side.arm.times(2.0);
             carried.max(vertical.times(LEAST))
         });
-        let (position, radii) = self.carried(&start.position, supports, None, memory)?;
+        let (position, radii) = self.carried(&start.position, supports, memory)?;
         let radius = radii.into_iter().fold(F::zero(), |sum, own| sum + own.times(0.5));
         let speed = start.velocity.forward + right.pair.rail_speed;
-        let velocity = Velocity { pitch: -speed / radius, ..start.velocity };
-        let mut here = BodyState { position, velocity };
-        let settled = |state: BodyState<F>, forces: WheelsetForces<F>| {
-            let warning = forces.wrench.warning;
-            Settled { state, forces, warning }
-        };
-        let scale = [vertical, vertical * width, vertical * radius];
-        let rest_of = |forces: &WheelsetForces<F>| {
-            let [_, _, down, over, about, _] = forces.wrench.members();
-            let [by_down, by_over, by_about] = scale;
-            [(down + vertical) / by_down, (over + roll) / by_over, (about + pitch) / by_about]
-        };
-        let size = |rest: &[F; 3]| dot(rest, rest).sqrt();
-        let least = F::EPSILON.cube_root().squared();
-        let (slow, fast) = (F::of(SLOW_SLIP), speed.abs().times(SLIP));
-        let (farthest, quickest) = (F::of(FARTHEST), (slow + fast) / radius);
-        let (mut slopes, mut moved) =
-            (WheelsetDerivatives::default(), WheelsetByPosition::default());
-        let mut rest = [F::zero(); 3];
-        'steps: for _ in 0..STEPS {
-            let (by_velocity, by_position) = (Some(&mut slopes), Some(&mut moved));
-            let requested = Requested { by_velocity, by_position };
-            let forces = self.differentiate(&here, memory, requested)?;
-            rest = rest_of(&forces);
-            if size(&rest) <= least {
-                return Ok(settled(here, forces));
+        let mut rates = Vec::<F, STARTS>::new();
+        let own = Velocity { pitch: F::zero(), ..start.velocity }.members();
+        let first = -speed / radius;
+        let of_contacts = self.sides.iter().zip(&memory.wheel).flat_map(|(side, memory)| {
+            let velocity = Kinematics::new(*side, &position).velocity(&own).members();
+            memory.found().iter().map(move |contact| {
+                let slip = contact.motion(&velocity).slip_x;
+                -slip / at(&contact.slip_x, 4)
+            })
+        });
+        rates.extend(core::iter::once(first).chain(of_contacts).take(STARTS));
+        let loads = [vertical, roll, pitch];
+        let loaded = Loaded { wheelset: self, loads, memory, width, radius, may_lift: false };
+        let mut search = PitchSearch { loaded, speed: speed.abs() };
+        let start = BodyState { position, velocity: start.velocity };
+        let found = search.balance_from_any(&start, &rates);
+        match found {
+            Ok(_) | Err(Error::ForceBeyondFriction) => found,
+            Err(error) => {
+                search.loaded.may_lift = true;
+                search.balance_from_any(&start, &rates).map_err(|_| error)
             }
-            let columns = columns_of_rest(&slopes, &moved, &scale, width);
-            let Some([right, left, pitch]) = by_cramers_rule(columns, rest) else { break };
-            // both heights keep their ratio
-            let most = right.abs().max(left.abs());
-            let rim = pitch.abs() * radius;
-            let is_rounding = most <= radius * F::EPSILON.times(ROUNDING)
-                && rim <= start.velocity.forward.abs().plus(1.0) * F::EPSILON.times(ROUNDING);
-            let part = if most > farthest { farthest / most } else { F::one() };
-            let (right, left) = (right * part, left * part);
-            let pitch = pitch.clamped(-quickest, quickest);
-            let mut share = F::one();
-            for _ in 0..HALVINGS {
-                let mut next = here;
-                next.position.vertical -= share * (right + left).times(0.5);
-                next.position.roll -= share * (right - left) / width.times(2.0);
-                next.velocity.pitch -= share * pitch;
-                // (a step beyond the profiles is too long as well)
-                let tried = self.solve(&next, memory);
-                if tried.is_ok_and(|forces| size(&rest_of(&forces)) < size(&rest)) {
-                    here = next;
-                    continue 'steps;
-                }
-                share = share.times(0.5);
-            }
-            if is_rounding && size(&rest) < F::of(NEARLY) {
-                return Ok(settled(here, self.solve(&here, memory)?));
-            }
-            break;
         }
-        let lifts = (0..2).any(|other| self.lifts(other, start, loads, memory));
-        let forces = self.solve(&here, memory)?;
-        let [down, over, about] = rest.map(F::abs);
-        Error::WheelLifted.when(lifts || forces.wheel.iter().any(|wheel| wheel.contacts == 0))?;
-        Error::ForceBeyondFriction.when(about > down.max(over) && about > F::of(1e-3))?;
-        let warning = forces.wrench.warning.worse(Warning::NotConverged);
-        Ok(Settled { warning, ..settled(here, forces) })
     }
 
-    /// Whether a wheel lifts where the other one carries the whole load: the roll moment turns the
-    /// wheelset onto that one. (Where there is no such place it does not.)
-    fn lifts(
-        &self,
-        lifted: usize,
-        start: &BodyState<F>,
-        loads: &WheelsetLoads<F>,
-        memory: &mut WheelsetWorkspace<F>,
-    ) -> bool {
-        let mut at = || {
-            let of = |k| loads.vertical.times(if k == lifted { BARELY } else { 1.0 });
-            let supports = [of(0), of(1)];
-            let [right, _] = self.scenes;
-            let (_, radii) = self.carried(&start.position, supports, None, memory)?;
-            let [one, other] = radii;
-            let radius = if lifted == 0 { other } else { one };
-            let pitch = -(start.velocity.forward + right.pair.rail_speed) / radius;
-            let velocity = Velocity { pitch, ..start.velocity };
-            let (position, _) = self.carried(&start.position, supports, Some(&velocity), memory)?;
-            self.solve(&BodyState { position, velocity }, memory)
-        };
-        let arm = self.sides.get(lifted).map_or(F::zero(), |side| side.arm);
-        at().is_ok_and(|forces: WheelsetForces<F>| {
-            let [_, _, _, over, ..] = forces.wrench.members();
-            (over + loads.roll) * arm < F::zero()
-        })
-    }
-
-    /// Where each wheel carries a load, by pressure alone or at a velocity, and the radii there.
+    /// The heights at which the pressure of each wheel carries a load, and the radii there.
     fn carried(
         &self,
         start: &Position<F>,
         supports: [F; 2],
-        velocity: Option<&Velocity<F>>,
         memory: &mut WheelsetWorkspace<F>,
     ) -> Result<(Position<F>, [F; 2]), Error> {
         let mut here = *start;
@@ -196,9 +132,7 @@ impl<F: Float> Wheelset<'_, F> {
                 let position = kinematics.position();
                 let pair = kinematics.pair(scene.pair);
                 let scene = Scene { pair: &pair, ..*scene };
-                let velocity = velocity.map(|own| kinematics.velocity(&own.members()));
-                let (height, _) =
-                    scene.height_for_load(&position, support, velocity.as_ref(), memory)?;
+                let (height, _) = scene.height_for_load(&position, support, None, memory)?;
                 *sink = height - position.vertical;
                 let (mut sum, mut load) = (F::zero(), F::TINY);
                 for contact in memory.found() {
@@ -219,29 +153,165 @@ impl<F: Float> Wheelset<'_, F> {
     }
 }
 
-/// Derivatives of vertical force, roll moment and moment about the axle, divided by their scale:
-/// with respect to the heights of the right and of the left wheel, and to the pitch rate.
-fn columns_of_rest<F: Float>(
-    slopes: &WheelsetDerivatives<F>,
-    moved: &WheelsetByPosition<F>,
-    scale: &[F; 3],
-    width: F,
-) -> [[F; 3]; 3] {
-    let column = |matrix: &[[F; KSTRIP_WHEELSET_FREEDOMS]], k: usize| -> [F; 3] {
-        let entry = |i: usize| matrix.get(i + 2).map_or(F::zero(), |row| at(row, k));
-        core::array::from_fn(|i| entry(i) / at(scale, i))
-    };
-    let [sinks, rolls] = [2, 3].map(|k| column(&moved.position, k));
-    let by_height = |arm: F| {
-        core::array::from_fn(|i| at(&sinks, i).times(0.5) + at(&rolls, i) / arm.times(2.0))
-    };
-    [by_height(width), by_height(-width), column(&slopes.velocity, 4)]
+/// The search for the pitch rate of a wheelset under loads.
+struct PitchSearch<'s, 'a, F> {
+    loaded: Loaded<'s, 'a, F>,
+    /// Rolling speed \[m/s\].
+    speed: F,
 }
 
-/// Cramer's rule for the columns of a matrix; none where they have no volume.
-fn by_cramers_rule<F: Float>([a, b, c]: [[F; 3]; 3], right: [F; 3]) -> Option<[F; 3]> {
-    let volume = dot(&a, &cross(b, c));
-    let found = [dot(&right, &cross(b, c)), dot(&a, &cross(right, c)), dot(&a, &cross(b, right))]
-        .map(|part| part / volume);
-    are_finite(&found).then_some(found)
+/// The pitch rates at which a search has been.
+struct PitchRates<F> {
+    /// The last one at which the moment is positive, so that the root is larger.
+    below: Option<F>,
+    /// The last one at which it is not.
+    above: Option<F>,
+    /// Sizes of the last step and of the one before.
+    last: [F; 2],
+    /// Largest next step away from where it began.
+    outward: F,
+    /// Where the moment falls with the pitch rate, and where it rises: its crest lies between.
+    crest: Option<Bracket<F>>,
+    /// Rate of the last balance at which the moment falls.
+    falls: Option<F>,
+    /// How many steps the search for a crest has left.
+    crests: usize,
+}
+
+impl<F: Float> PitchSearch<'_, '_, F> {
+    /// The balance that is found from the first pitch rate that leads to one.
+    fn balance_from_any(&mut self, start: &BodyState<F>, rates: &[F]) -> Result<Settled<F>, Error> {
+        let mut failed = Error::WheelLifted;
+        for (k, rate) in rates.iter().enumerate() {
+            let velocity = Velocity { pitch: *rate, ..start.velocity };
+            match self.balance_from(&BodyState { velocity, ..*start }) {
+                Ok(settled) => return Ok(settled),
+                Err(error) if k == 0 || error == Error::ForceBeyondFriction => failed = error,
+                Err(_) => {}
+            }
+        }
+        Err(failed)
+    }
+
+    /// The balance that is found from a pitch rate.
+    fn balance_from(&mut self, start: &BodyState<F>) -> Result<Settled<F>, Error> {
+        let radius = self.loaded.radius;
+        let mut here = self.loaded.balanced_at(start, false)?;
+        let first = here.state;
+        let pressed = self.loaded.moment_of_pressure().times(2.0) + Loaded::<F>::least();
+        let is_balanced_by_pressure = here.moment.abs() <= pressed;
+        let farthest = self.speed.plus(1.0).times(FASTEST) / radius;
+        let first_step = self.speed.times(SLIP).plus(SLOW_SLIP) / radius;
+        let mut visited = PitchRates {
+            below: None,
+            above: None,
+            last: [F::LARGEST; 2],
+            outward: first_step,
+            crest: None,
+            falls: None,
+            crests: CRESTS,
+        };
+        for _ in 0..RATES {
+            if self.is_settled(&here) {
+                return Ok(settled(&here, Warning::None));
+            }
+            let Some(step) = visited.next_step(&here) else {
+                let is_close = here.moment.abs() < F::of(NEARLY);
+                let warning = if is_close { Warning::None } else { Warning::NotConverged };
+                return Ok(settled(&here, warning));
+            };
+            let next = here.rate() + step;
+            if (next - first.velocity.pitch).abs() > farthest {
+                // without friction any pitch rate is as good
+                Error::ForceBeyondFriction.unless(is_balanced_by_pressure)?;
+                return Ok(settled(&self.loaded.balanced_at(&first, true)?, Warning::None));
+            }
+            let before = here.rate();
+            here = self.loaded.followed(&here, step)?;
+            let moved = (here.rate() - before).abs();
+            // a step below the rounding of the rate does not grow
+            visited.outward = if moved > F::zero() { moved.times(2.0) } else { first_step };
+        }
+        Ok(settled(&here, Warning::NotConverged))
+    }
+
+    /// Whether the rest is none, or the next steps are roundings.
+    fn is_settled(&self, here: &Balance<F>) -> bool {
+        let least = Loaded::<F>::least();
+        let rim = (here.moment / here.slope).abs() * self.loaded.radius;
+        let is_rounding = rim <= self.speed.plus(SLOW_SLIP) * F::EPSILON;
+        (here.rest <= least || self.loaded.is_rounding(here, 1.0))
+            && (here.moment.abs() <= least || is_rounding)
+    }
+}
+
+impl<F: Float> PitchRates<F> {
+    /// Notes a balance, and returns the next change of the pitch rate; none if the root lies
+    /// between neighbouring numbers.
+    fn next_step(&mut self, here: &Balance<F>) -> Option<F> {
+        let rate = here.rate();
+        let is_below = here.moment > F::zero();
+        if is_below {
+            self.below = Some(rate)
+        } else {
+            self.above = Some(rate)
+        }
+        let newton = -here.moment / here.slope;
+        let falls = here.slope < F::zero();
+        let step = if let (Some(positive), Some(negative)) = (self.below, self.above) {
+            let bracket = Bracket { negative, positive };
+            let [_, before] = self.last;
+            let middle = bracket.middle();
+            if middle == negative || middle == positive {
+                return None;
+            }
+            // a step must be less than half of the one before the last
+            let is_slow = newton.abs() > before.times(0.5);
+            let next = if is_slow { middle } else { bracket.guarded(rate + newton) };
+            next - rate
+        } else if let Some(crest) = self.crest_at(rate, falls) {
+            crest - rate
+        } else if falls && newton.abs() <= self.outward {
+            newton
+        } else if is_below {
+            self.outward
+        } else {
+            -self.outward
+        };
+        let [last, _] = self.last;
+        self.last = [step.abs(), last];
+        Some(step)
+    }
+
+    /// Where to look for the largest moment, if it is between the last places: friction that falls
+    /// carries it near pure rolling only.
+    fn crest_at(&mut self, rate: F, falls: bool) -> Option<F> {
+        match (&mut self.crest, self.falls) {
+            (Some(crest), _) if falls => crest.negative = rate,
+            (Some(crest), _) => crest.positive = rate,
+            (None, Some(negative)) if !falls => {
+                self.crest = Some(Bracket { negative, positive: rate });
+            }
+            (None, _) => {}
+        }
+        if falls {
+            self.falls = Some(rate);
+        }
+        let crest = self.crest?;
+        match self.crests.checked_sub(1) {
+            Some(left) => {
+                self.crests = left;
+                Some(crest.middle())
+            }
+            None => {
+                (self.crest, self.falls) = (None, None);
+                None
+            }
+        }
+    }
+}
+
+fn settled<F: Float>(found: &Balance<F>, warning: Warning) -> Settled<F> {
+    let Balance { state, forces, .. } = *found;
+    Settled { state, forces, warning: forces.wrench.warning.worse(warning) }
 }

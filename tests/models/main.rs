@@ -22,6 +22,7 @@ mod prepared_profile;
 mod profile;
 mod rig;
 mod roller;
+mod settle;
 mod skew;
 mod slender;
 mod small_print;

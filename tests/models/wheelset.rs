@@ -634,6 +634,7 @@ fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
             Ok(found) => {
                 let [[_, _, right], [_, _, left]] = found.forces.rail;
                 assert_relative_eq!(right + left, 160e3, max_relative = 1e-6);
+                assert!(found.forces.wrench.moment[0].abs() < 1e-6 * 160e3, "{lateral}");
                 assert!(found.warning != Warning::NotConverged, "{lateral}");
                 carried.push((k, right));
             }

@@ -136,8 +136,12 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 }
 
 /// A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
-/// given lateral position, yaw and speed. Use it to begin a run, and for tables. Newton's method
-/// with at most 40 steps.
+/// given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction
+/// from 0 on, any speed and rollers are possible. Heights and roll are balanced at each pitch
+/// rate, and the pitch rate lies in a bracket around those at which the contacts roll purely.
+/// Without friction it is that of pure rolling on the mean radius. Six evaluations with
+/// derivatives are usual. A wheel is lifted in the result only if no balance is found with both
+/// wheels on the rails.
 ///
 /// @param set, track      as in kstrip_wheelset_on_track().
 /// @param start           lateral and yaw; vertical and roll are where the search begins.
@@ -149,7 +153,7 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 /// @param[out] moves      receives the velocity, with the pitch rate.
 /// @param[out] forces     receives the forces there; NULL: not needed.
 /// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
-///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (the roll moment lifts a wheel),
+///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads),
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
 #[unsafe(export_name = symbol!("kstrip_wheelset_settle"))]
 pub unsafe extern "C" fn kstrip_wheelset_settle(
