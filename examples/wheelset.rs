@@ -81,8 +81,7 @@ pub struct Run {
 
 /// The right and the left wheel on their rails.
 fn wheelset<'a>(
-    rail: &'a PreparedProfile<f64>,
-    wheel: &'a PreparedProfile<f64>,
+    rail: &'a PreparedProfile<f64>, wheel: &'a PreparedProfile<f64>,
     [right, left]: &'a [WheelPair<f64>; 2],
 ) -> Wheelset<'a, f64> {
     let law = Law { model: Model::Strip, falling: None };

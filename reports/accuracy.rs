@@ -106,10 +106,7 @@ fn model_method(open: &[Case], validation: &[Case], model: Model) -> Method {
 }
 
 fn peer_method(
-    open: &[Case],
-    validation: &[Case],
-    table: &[CoefficientCase],
-    (name, solve): (String, Solver),
+    open: &[Case], validation: &[Case], table: &[CoefficientCase], (name, solve): (String, Solver),
 ) -> Method {
     let errors = |cases| peer_errors(cases, table, &solve);
     Method { name, remark: "", open: errors(open), validation: errors(validation) }
@@ -717,11 +714,7 @@ struct Map<'a> {
 
 /// Maps side by side, three in a row, with a common colour scale.
 fn maps(
-    path: &Path,
-    title: &str,
-    (across, up): (&str, &str),
-    per_row: usize,
-    maps: &[Map],
+    path: &Path, title: &str, (across, up): (&str, &str), per_row: usize, maps: &[Map],
 ) -> Drawn {
     let (cell_width, cell_height) = (44.0, 26.0);
     let columns = maps[0].columns.len() as f64;
@@ -785,10 +778,7 @@ fn maps(
 
 /// The statistic of the errors in a cell of a map, NaN without cases.
 fn cell(
-    cases: &[Case],
-    errors: &Errors,
-    holds: impl Fn(&Case) -> bool,
-    statistic: fn(Figures) -> f64,
+    cases: &[Case], errors: &Errors, holds: impl Fn(&Case) -> bool, statistic: fn(Figures) -> f64,
 ) -> f64 {
     let inside = errors.only(cases, holds);
     if inside.force.is_empty() { f64::NAN } else { statistic(figures(&inside.force)) }

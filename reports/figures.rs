@@ -124,10 +124,7 @@ fn contact(axis_ratio: f64, poisson_ratio: f64) -> Contact<f64> {
 
 /// The parts of a strip `Y = y/b` in one state: intervals of `x/a`.
 fn intervals(
-    field: &Field<f64>,
-    contact: &Contact<f64>,
-    relative_y: f64,
-    state: State,
+    field: &Field<f64>, contact: &Contact<f64>, relative_y: f64, state: State,
 ) -> Vec<[f64; 2]> {
     const STEPS: i32 = 400;
     let strip = field.strip_at(relative_y * contact.b);
@@ -254,11 +251,7 @@ fn slip_arrow(canvas: &Canvas, from: (f64, f64), to: (f64, f64)) -> Drawn {
 }
 
 fn drawn_arrow(
-    canvas: &Canvas,
-    (x0, y0): (f64, f64),
-    (x1, y1): (f64, f64),
-    colour: RGBColor,
-    width: u32,
+    canvas: &Canvas, (x0, y0): (f64, f64), (x1, y1): (f64, f64), colour: RGBColor, width: u32,
     closed: bool,
 ) -> Drawn {
     let length = (x1 - x0).hypot(y1 - y0);
@@ -367,10 +360,7 @@ fn draw_case(folder: &Path, case: &Case) -> Drawn {
 
 /// Axes, ellipse, and the areas in it.
 fn draw_patch(
-    canvas: &Canvas,
-    field: &Field<f64>,
-    contact: &Contact<f64>,
-    (limit_y, limit_x): (f64, f64),
+    canvas: &Canvas, field: &Field<f64>, contact: &Contact<f64>, (limit_y, limit_x): (f64, f64),
     margins: [u32; 4],
 ) -> Drawn {
     let [left, right, top, bottom] = margins.map(|margin| margin * SCALE);
@@ -418,10 +408,7 @@ fn draw_patch(
 /// Arrows of traction on a square grid, as long as the traction over `μ p₀`, and of slip between
 /// them.
 fn draw_arrows(
-    canvas: &Canvas,
-    field: &Field<f64>,
-    contact: &Contact<f64>,
-    (per_b, per_a): (f64, f64),
+    canvas: &Canvas, field: &Field<f64>, contact: &Contact<f64>, (per_b, per_a): (f64, f64),
     centre: (f64, f64),
 ) -> Drawn {
     let spacing = if per_a < 100.0 { 26.0 } else { 30.0 };
@@ -491,9 +478,7 @@ fn references() -> Result<Vec<Reference>, Box<dyn Error>> {
 
 /// `Fx, Fy` in `μ N` of a model, `ν = 0.28`.
 fn force(
-    model: Model,
-    axis_ratio: f64,
-    [xi, eta, psi]: [f64; 3],
+    model: Model, axis_ratio: f64, [xi, eta, psi]: [f64; 3],
 ) -> Result<[f64; 2], Box<dyn Error>> {
     let contact = contact(axis_ratio, 0.28);
     let parameters = Parameters { xi, eta, psi, poisson_ratio: 0.28, axis_ratio };

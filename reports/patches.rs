@@ -415,10 +415,7 @@ fn smoothing_table(report: &mut Report, list: &[Case]) {
 
 /// One of three panels beside each other, with its title and the name of its horizontal axis.
 fn panel(
-    canvas: &Canvas,
-    column: usize,
-    [title, across]: [&str; 2],
-    [x, y]: [Axis; 2],
+    canvas: &Canvas, column: usize, [title, across]: [&str; 2], [x, y]: [Axis; 2],
     points: &[(f64, f64)],
 ) -> Drawn {
     let left = 48.0 + 290.0 * column as f64;

@@ -19,9 +19,7 @@ pub use crate::strip::totals::power_projected;
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the
 /// contact is so small that nothing is implausible about them; and what the complete check finds.
 pub fn quick_and_full_check<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    model: Model,
+    contact: &Contact<F>, creepage: &Creepage<F>, model: Model,
 ) -> (bool, Result<(), Error>) {
     let found = crate::forces::check::find_fault(contact, creepage, model);
     let least = F::of(1e-6);
@@ -34,10 +32,7 @@ pub fn quick_and_full_check<F: Float>(
 /// # Errors
 /// Those of [`estimate_friction`](crate::rig::estimate_friction).
 pub fn estimate_counted<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    measured: Measured,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options, measured: Measured,
     force: [F; 2],
 ) -> Result<(F, FrictionEstimate<F>, usize), Error> {
     let mut rig = Rig::new(contact, creepage, None, options, measured, force)?;
@@ -51,10 +46,7 @@ pub fn estimate_counted<F: Float>(
 /// # Errors
 /// Those of [`creepage_for_force`](crate::rig::creepage_for_force).
 pub fn creepage_counted<F: Float>(
-    contact: &Contact<F>,
-    force: [F; 2],
-    spin: F,
-    options: &Options,
+    contact: &Contact<F>, force: [F; 2], spin: F, options: &Options,
 ) -> Result<(Creepage<F>, F, usize), Error> {
     let mut aim = Aim::new(contact, force, spin, None, options);
     let found = aim.find()?;
@@ -70,9 +62,7 @@ pub fn long_contact<F: Real>(root: F) -> [F; 2] {
 
 /// Forces of one strip, outer or inner, by the formulas as they stand.
 pub fn strip_forces<T: Arithmetic<Value: Real>>(
-    seen: &StripCreepage<T>,
-    spin: T,
-    inner: bool,
+    seen: &StripCreepage<T>, spin: T, inner: bool,
 ) -> StripForces<T> {
     totals::alone(seen, &Spin::new(spin), inner)
 }

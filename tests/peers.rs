@@ -330,8 +330,7 @@ fn nothing_without_creepage() {
 /// Small creepages: the coefficients of the linear theory, one at a time.
 #[rstest]
 fn linear_limit(
-    #[values(0.1, 0.5, 1.0, 2.0, 10.0)] a_over_b: f64,
-    #[values(0, 1, 2)] which: usize,
+    #[values(0.1, 0.5, 1.0, 2.0, 10.0)] a_over_b: f64, #[values(0, 1, 2)] which: usize,
 ) {
     let mut v = [0.0; 3];
     v[which] = 1e-4;

@@ -76,9 +76,7 @@ impl Parameters {
 /// The grid must be `Layout::StripCentres`.
 #[inline]
 pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
-    grid: &Grid<NX, NY>,
-    input: &Input,
-    flexibility: Flexibility,
+    grid: &Grid<NX, NY>, input: &Input, flexibility: Flexibility,
 ) -> Output {
     debug_assert_eq!(grid.layout, Layout::StripCentres);
     let &Input { a, b, .. } = input;
@@ -198,8 +196,7 @@ pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
 /// The grid must be `Layout::Rectangle`.
 #[inline]
 pub fn solve_contact<const NX: usize, const NY: usize, const LANES: usize>(
-    grid: &Grid<NX, NY>,
-    input: &Input,
+    grid: &Grid<NX, NY>, input: &Input,
 ) -> Output {
     debug_assert_eq!(grid.layout, Layout::Rectangle);
     let &Input { a, b, .. } = input;

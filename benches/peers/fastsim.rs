@@ -177,10 +177,7 @@ pub(super) fn stiffness(input: &Input, flexibility: Flexibility) -> [f64; 3] {
 /// (Always inlined: registers are those of the caller.)
 #[inline(always)]
 pub fn solve<const NX: usize, const NY: usize, const LANES: usize>(
-    grid: &Grid<NX, NY>,
-    input: &Input,
-    flexibility: Flexibility,
-    bound: Bound,
+    grid: &Grid<NX, NY>, input: &Input, flexibility: Flexibility, bound: Bound,
 ) -> Output {
     match (grid.layout, bound) {
         (Layout::Rectangle, Bound::Parabolic) => {
@@ -202,9 +199,7 @@ fn march<
     const RECTANGLE: bool,
     const PARABOLIC: bool,
 >(
-    grid: &Grid<NX, NY>,
-    input: &Input,
-    flexibility: Flexibility,
+    grid: &Grid<NX, NY>, input: &Input, flexibility: Flexibility,
 ) -> Output {
     let &Input { a, b, .. } = input;
     let step = 2.0 / NX as f64;

@@ -34,12 +34,7 @@ pub enum Align {
 }
 
 pub fn write(
-    canvas: &Canvas,
-    text: &str,
-    at: (f64, f64),
-    size: u32,
-    align: Align,
-    ink: RGBColor,
+    canvas: &Canvas, text: &str, at: (f64, f64), size: u32, align: Align, ink: RGBColor,
 ) -> Drawn {
     let side = match align {
         Align::Left => HPos::Left,
@@ -174,11 +169,7 @@ impl Plot {
     }
 
     pub fn curve(
-        &self,
-        canvas: &Canvas,
-        points: &[(f64, f64)],
-        ink: RGBColor,
-        width: f64,
+        &self, canvas: &Canvas, points: &[(f64, f64)], ink: RGBColor, width: f64,
     ) -> Drawn {
         let points: Vec<_> = points.iter().map(|(x, y)| self.at(*x, *y)).collect();
         line(canvas, &points, ink, width)

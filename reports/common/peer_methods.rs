@@ -36,9 +36,7 @@ pub type Solver = Box<dyn Fn(&Input) -> Output>;
 
 /// FASTSIM on a square grid, `LANES` strips side by side (1: the classical loop).
 pub fn fastsim_on<const M: usize, const LANES: usize>(
-    layout: Layout,
-    flexibility: Flexibility,
-    bound: Bound,
+    layout: Layout, flexibility: Flexibility, bound: Bound,
 ) -> (String, Solver) {
     let grid = Grid::<M, M>::new(layout);
     let flexibilities = match flexibility {

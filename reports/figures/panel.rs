@@ -78,11 +78,7 @@ impl Panel {
     }
 
     pub fn curve(
-        &self,
-        canvas: &Canvas,
-        points: &[(f64, f64)],
-        colour: RGBColor,
-        kind: Kind,
+        &self, canvas: &Canvas, points: &[(f64, f64)], colour: RGBColor, kind: Kind,
     ) -> Drawn {
         let path = self.path(points);
         match kind {
@@ -109,11 +105,7 @@ impl Panel {
 
     /// A name for a curve, beside one of its points.
     pub fn name(
-        &self,
-        canvas: &Canvas,
-        text: &str,
-        point: (f64, f64),
-        (right, down): (f64, f64),
+        &self, canvas: &Canvas, text: &str, point: (f64, f64), (right, down): (f64, f64),
         colour: RGBColor,
     ) -> Drawn {
         let (h, v) = self.at(point);

@@ -264,9 +264,7 @@ fn calls<F: Called>(how: How, set: Set, options: kstrip_options) -> (Box<dyn Fn(
 
 /// Batches of this size, one after the other, a thousand contacts in all.
 fn batch<F: Called>(
-    inputs: &[State<F>],
-    each: usize,
-    options: kstrip_options,
+    inputs: &[State<F>], each: usize, options: kstrip_options,
 ) -> (Box<dyn Fn()>, usize) {
     const COUNT: usize = 1000;
     let of =

@@ -48,9 +48,7 @@ use heapless::Vec;
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve_batch<F: Float>(
-    count: usize,
-    options: &Options,
-    get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
+    count: usize, options: &Options, get: impl Fn(usize) -> (Contact<F>, Creepage<F>),
     mut put: impl FnMut(usize, Solution<F>),
 ) -> Result<Warning, (usize, Error)> {
     let get = |i| {
@@ -84,9 +82,7 @@ pub fn solve_batch<F: Float>(
 
 /// [`solve_batch`] with friction that falls with the slip.
 pub(crate) fn solve_under_friction<F: Float>(
-    count: usize,
-    options: &Options,
-    get: impl Fn(usize) -> Case<F>,
+    count: usize, options: &Options, get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
 ) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| {
@@ -109,9 +105,7 @@ pub(crate) fn solve_under_friction<F: Float>(
 /// Checks all contacts, one by one unless they are ordinary in groups.
 #[inline]
 fn check_each<F: Float>(
-    count: usize,
-    get: &impl Fn(usize) -> Case<F>,
-    check: impl Fn(&Case<F>) -> Result<(), Error>,
+    count: usize, get: &impl Fn(usize) -> Case<F>, check: impl Fn(&Case<F>) -> Result<(), Error>,
 ) -> Found<()> {
     let check = |numbers| try_each(numbers, |i| check(&get(i)));
     #[cfg(target_arch = "x86_64")]
@@ -123,9 +117,7 @@ fn check_each<F: Float>(
 
 /// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
 pub(crate) fn differentiate_batch<F: Float>(
-    count: usize,
-    options: &Options,
-    get: impl Fn(usize) -> Case<F>,
+    count: usize, options: &Options, get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Found<Warning> {
     check_each(count, &get, |(contact, creepage, law)| {

@@ -46,9 +46,7 @@ impl<F: Float> DifferentiatedCase<'_, F> {
 /// Forces of checked contacts, one after the other.
 #[inline(never)]
 pub(crate) fn solve_each<F: Float>(
-    numbers: core::ops::Range<usize>,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
+    numbers: core::ops::Range<usize>, options: &Options, get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, Solution<F>),
 ) -> Found<Warning> {
     let mut worst = Warning::None;
@@ -65,9 +63,7 @@ pub(crate) fn solve_each<F: Float>(
 /// Forces and derivatives of checked contacts, one after the other.
 #[inline(never)]
 pub(crate) fn differentiate_each<F: Float>(
-    numbers: core::ops::Range<usize>,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
+    numbers: core::ops::Range<usize>, options: &Options, get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Found<Warning> {
     let mut worst = Warning::None;
@@ -100,8 +96,7 @@ pub(crate) fn differentiate_each<F: Float>(
 
 /// Stops at the first error and returns it with its number.
 pub(super) fn try_each(
-    mut numbers: core::ops::Range<usize>,
-    mut task: impl FnMut(usize) -> Result<(), Error>,
+    mut numbers: core::ops::Range<usize>, mut task: impl FnMut(usize) -> Result<(), Error>,
 ) -> Found<()> {
     numbers.try_for_each(|i| task(i).map_err(|error| (i, error)))
 }

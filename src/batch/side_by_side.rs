@@ -28,9 +28,7 @@ use core::ops::Range;
 /// has wide registers.
 #[inline]
 pub(super) fn solve_side_by_side<F: Float>(
-    count: usize,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
+    count: usize, options: &Options, get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, Solution<F>),
 ) -> Option<Found<Warning>> {
     // SAFETY: the processor was asked.
@@ -45,9 +43,7 @@ pub(super) fn solve_side_by_side<F: Float>(
 /// registers already, so that models with strips are not among them.
 #[inline]
 pub(super) fn differentiate_side_by_side<F: Float>(
-    count: usize,
-    options: &Options,
-    get: &impl Fn(usize) -> Case<F>,
+    count: usize, options: &Options, get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Option<Found<Warning>> {
     let together = has_avx()
@@ -64,9 +60,7 @@ pub(super) fn differentiate_side_by_side<F: Float>(
 /// other check.
 #[inline]
 pub(super) fn check_side_by_side<F: Float>(
-    count: usize,
-    get: &impl Fn(usize) -> Case<F>,
-    check: &impl Fn(Range<usize>) -> Found<()>,
+    count: usize, get: &impl Fn(usize) -> Case<F>, check: &impl Fn(Range<usize>) -> Found<()>,
 ) -> Option<Found<()>> {
     // SAFETY: the processor was asked.
     has_avx().then(|| unsafe { check_groups(count, get, check) })
@@ -74,9 +68,7 @@ pub(super) fn check_side_by_side<F: Float>(
 
 #[target_feature(enable = "avx")]
 fn check_groups<F: Float>(
-    count: usize,
-    get: &impl Fn(usize) -> Case<F>,
-    check: &impl Fn(Range<usize>) -> Found<()>,
+    count: usize, get: &impl Fn(usize) -> Case<F>, check: &impl Fn(Range<usize>) -> Found<()>,
 ) -> Found<()> {
     let (first, end) = whole_groups(&(0..count), F::Contacts::COUNT);
     for first in (first..end).step_by(F::Contacts::COUNT) {
@@ -143,9 +135,7 @@ macro_rules! compiled_for {
 
             #[target_feature(enable = $features)]
             pub fn solve_each<F: Float>(
-                numbers: Range<usize>,
-                options: &Options,
-                get: &impl Fn(usize) -> Case<F>,
+                numbers: Range<usize>, options: &Options, get: &impl Fn(usize) -> Case<F>,
                 put: &mut impl FnMut(usize, Solution<F>),
             ) -> Found<Warning> {
                 let mut worst = Warning::None;
@@ -182,9 +172,7 @@ macro_rules! compiled_for {
 
             #[target_feature(enable = $features)]
             pub fn differentiate_each<F: Float>(
-                numbers: Range<usize>,
-                options: &Options,
-                get: &impl Fn(usize) -> Case<F>,
+                numbers: Range<usize>, options: &Options, get: &impl Fn(usize) -> Case<F>,
                 put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
             ) -> Found<Warning> {
                 let mut worst = Warning::None;
@@ -227,9 +215,7 @@ macro_rules! compiled_for {
             #[target_feature(enable = $features)]
             #[inline(never)]
             fn forces<L: Real, M: Theory<L>>(
-                frame: &ScaledContact<L>,
-                creepage: &Creepage<L>,
-                options: &Options,
+                frame: &ScaledContact<L>, creepage: &Creepage<L>, options: &Options,
             ) -> (Forces<L>, L) {
                 M::of_contact(frame, options).forces(frame, creepage)
             }
@@ -237,9 +223,7 @@ macro_rules! compiled_for {
             #[target_feature(enable = $features)]
             #[inline(never)]
             fn slopes<L: Real, M: Theory<L>>(
-                frame: &ScaledContact<L>,
-                creepage: &Creepage<L>,
-                options: &Options,
+                frame: &ScaledContact<L>, creepage: &Creepage<L>, options: &Options,
             ) -> (Forces<L>, L, Derivatives<L>) {
                 with_slopes(&M::of_contact(frame, options), frame, creepage)
             }
@@ -268,8 +252,7 @@ fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {
 /// Contacts side by side.
 #[inline(always)]
 fn group<F: Float, L: Strips<F>>(
-    first: usize,
-    get: &impl Fn(usize) -> Case<F>,
+    first: usize, get: &impl Fn(usize) -> Case<F>,
 ) -> (Contact<L>, Creepage<L>) {
     let [a, b, n, g, nu, mu, kappa, vx, vy, spin] = together(first, &|i| {
         let (contact, Creepage { longitudinal, lateral, spin }, _) = get(i);
@@ -288,8 +271,7 @@ fn group<F: Float, L: Strips<F>>(
 /// Some numbers of each contact, side by side.
 #[inline(always)]
 fn together<F: Float, L: Strips<F>, const N: usize>(
-    first: usize,
-    of: &impl Fn(usize) -> [F; N],
+    first: usize, of: &impl Fn(usize) -> [F; N],
 ) -> [L; N] {
     let mut quantities = [[F::zero(); MOST]; N];
     for lane in 0..L::COUNT {
@@ -307,8 +289,7 @@ fn together<F: Float, L: Strips<F>, const N: usize>(
 /// The derivatives of one contact.
 #[inline]
 fn lane_of<L: Real + Strips<L::Stored>>(
-    slopes: &Derivatives<L>,
-    k: usize,
+    slopes: &Derivatives<L>, k: usize,
 ) -> Derivatives<L::Stored> {
     let row = |row: &[L; 3]| row.each_ref().map(|slope| slope.lane(k));
     Derivatives {
@@ -332,11 +313,7 @@ where
 {
     #[inline(always)]
     fn new(
-        model: Model,
-        frame: &ScaledContact<L>,
-        creepage: &Creepage<L>,
-        forces: &Forces<L>,
-        psi: L,
+        model: Model, frame: &ScaledContact<L>, creepage: &Creepage<L>, forces: &Forces<L>, psi: L,
     ) -> Self {
         let Forces { fx, fy, mz, adhesion } = *forces;
         let notices = notices(model, frame, forces, psi);
@@ -362,10 +339,7 @@ where
 /// The warning of each contact.
 #[inline(always)]
 fn notices<L: Real + Strips<L::Stored>>(
-    model: Model,
-    frame: &ScaledContact<L>,
-    forces: &Forces<L>,
-    psi: L,
+    model: Model, frame: &ScaledContact<L>, forces: &Forces<L>, psi: L,
 ) -> [Warning; MOST] {
     let mut notices = [Warning::None; MOST];
     let (bound, ratio) = (frame.contact.friction_bound(), frame.units.axis_ratio);

@@ -49,9 +49,7 @@ impl<F: Float> Creepage<F> {
     /// # Ok::<(), kstrip::status::Error>(())
     /// ```
     pub fn from_velocities(
-        lower: &SurfaceVelocity<F>,
-        upper: &SurfaceVelocity<F>,
-        rolling_speed: F,
+        lower: &SurfaceVelocity<F>, upper: &SurfaceVelocity<F>, rolling_speed: F,
     ) -> Result<Self, Error> {
         let inputs =
             [lower.x, lower.y, lower.angular_z, upper.x, upper.y, upper.angular_z, rolling_speed];

@@ -69,10 +69,7 @@ pub struct HertzContact<F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn hertz<F: Float>(
-    radii: &Radii<F>,
-    normal_force: F,
-    shear_modulus: F,
-    poisson_ratio: F,
+    radii: &Radii<F>, normal_force: F, shear_modulus: F, poisson_ratio: F,
 ) -> Result<HertzContact<F>, Error> {
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
     Error::NotFinite.unless(normal_force.is_finite_number())?;
@@ -87,10 +84,7 @@ pub fn hertz<F: Float>(
 /// # Errors
 /// Those of [`hertz`] and of [`Contact::check`].
 pub fn from_hertz<F: Float>(
-    radii: &Radii<F>,
-    pair: &CombinedMaterial<F>,
-    load: F,
-    friction: F,
+    radii: &Radii<F>, pair: &CombinedMaterial<F>, load: F, friction: F,
 ) -> Result<(Contact<F>, HertzContact<F>, Warning), Error> {
     let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(load.is_finite_number())?;
@@ -124,10 +118,7 @@ pub fn from_hertz<F: Float>(
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn from_approach<F: Float>(
-    radii: &Radii<F>,
-    pair: &CombinedMaterial<F>,
-    approach: F,
-    friction: F,
+    radii: &Radii<F>, pair: &CombinedMaterial<F>, approach: F, friction: F,
 ) -> Result<(Contact<F>, F, Warning), Error> {
     let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(approach.is_finite_number())?;
@@ -225,11 +216,7 @@ impl<F: Float> Form<F> {
     /// A checked contact, and whether it and the radii are plausible. In a lost contact friction
     /// and mismatch are checked as well.
     fn loaded(
-        &self,
-        [a, b]: [F; 2],
-        radii: &Radii<F>,
-        pair: &CombinedMaterial<F>,
-        normal_force: F,
+        &self, [a, b]: [F; 2], radii: &Radii<F>, pair: &CombinedMaterial<F>, normal_force: F,
         friction: F,
     ) -> Result<(Contact<F>, Warning), Error> {
         let CombinedMaterial { shear_modulus, poisson_ratio, mismatch } = *pair;

@@ -56,8 +56,7 @@ impl<F: Float> Material<F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn combine<F: Float>(
-    lower: &Material<F>,
-    upper: &Material<F>,
+    lower: &Material<F>, upper: &Material<F>,
 ) -> Result<CombinedMaterial<F>, Error> {
     lower.check()?;
     upper.check()?;

@@ -73,10 +73,7 @@ impl<F: Real> Contact<F> {
 /// `Δυx` for a creepage and [`Contact::strain`].
 #[inline]
 pub(crate) fn shift<T: Number>(
-    units: &Units<T::Base>,
-    linear: &LinearCoefficients<T::Base>,
-    creepage: &Creepage<T>,
-    strain: T,
+    units: &Units<T::Base>, linear: &LinearCoefficients<T::Base>, creepage: &Creepage<T>, strain: T,
 ) -> T {
     let zero = T::zero();
     let of_pressure = Creepage { longitudinal: strain, lateral: zero, spin: zero };
@@ -92,9 +89,7 @@ pub(crate) fn shift<T: Number>(
 /// variable of derivatives.
 #[inline]
 pub(crate) fn seen<T: Number>(
-    contact: &Contact<T::Base>,
-    linear: &LinearCoefficients<T::Base>,
-    creepage: &Creepage<T>,
+    contact: &Contact<T::Base>, linear: &LinearCoefficients<T::Base>, creepage: &Creepage<T>,
     pressure: T,
 ) -> Creepage<T> {
     if !contact.mismatch.abs().exceeds(T::Base::zero()) {

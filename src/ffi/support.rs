@@ -30,8 +30,7 @@ pub(super) fn fill<T>(place: Output<T>, find: impl FnOnce() -> Result<T, Error>)
 /// The same of a result with a warning, which is the status.
 #[inline]
 pub(super) fn fill_warned<T>(
-    place: Output<T>,
-    find: impl FnOnce() -> Result<(T, Warning), Error>,
+    place: Output<T>, find: impl FnOnce() -> Result<(T, Warning), Error>,
 ) -> kstrip_status {
     answer(|| {
         let place = given(place)?;
@@ -44,8 +43,7 @@ pub(super) fn fill_warned<T>(
 /// The same for a solution, whose warning is the status.
 #[inline]
 pub(super) fn solved<F: Float>(
-    place: Output<Solution<F>>,
-    solve: impl FnOnce() -> Result<Solution<F>, Error>,
+    place: Output<Solution<F>>, solve: impl FnOnce() -> Result<Solution<F>, Error>,
 ) -> kstrip_status {
     answer(|| {
         let place = given(place)?;
@@ -114,9 +112,7 @@ pub(super) fn put<T>(place: Output<T>, value: T) {
 /// its numbers are finite, as `fits` tells.
 #[inline]
 pub(super) fn with_requested<V: Default, P: Default, T>(
-    by_velocity: Output<V>,
-    by_position: Output<P>,
-    fits: impl FnOnce(&T, &V, &P) -> bool,
+    by_velocity: Output<V>, by_position: Output<P>, fits: impl FnOnce(&T, &V, &P) -> bool,
     solve: impl FnOnce(Requested<V, P>) -> Result<T, Error>,
 ) -> Result<T, Error> {
     let (mut slopes, mut moved) = (V::default(), P::default());
@@ -149,8 +145,7 @@ pub(super) unsafe fn input<'a, T>(pointer: *const T, count: u32) -> Result<&'a [
 /// `pointer` is NULL, or valid and aligned for `count` writes while the slice lives, and nothing
 /// else refers to that memory.
 pub(super) unsafe fn output<'a, T>(
-    pointer: *mut T,
-    count: u32,
+    pointer: *mut T, count: u32,
 ) -> Result<&'a mut [MaybeUninit<T>], Error> {
     if count == 0 {
         return Ok(&mut []);
@@ -227,9 +222,7 @@ impl<T: Copy> Strided<T> {
 /// # Safety
 /// `statuses` is NULL or valid for `count` writes, and `one` does not write there.
 pub(super) unsafe fn each_element(
-    count: u32,
-    statuses: *mut kstrip_status,
-    mut one: impl FnMut(usize) -> kstrip_status,
+    count: u32, statuses: *mut kstrip_status, mut one: impl FnMut(usize) -> kstrip_status,
 ) -> Result<Warning, Error> {
     let (mut bad, mut worst) = (None, Warning::None);
     for i in 0..count as usize {

@@ -14,9 +14,7 @@ use crate::status::Error;
 #[cfg_attr(target_arch = "x86_64", inline)]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
 pub fn check<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<(), Error> {
     if contact.is_ordinary(creepage) {
         return Ok(());
@@ -28,9 +26,7 @@ pub fn check<F: Float>(
 #[cold]
 #[inline(never)]
 pub(crate) fn find_fault<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    model: Model,
+    contact: &Contact<F>, creepage: &Creepage<F>, model: Model,
 ) -> Result<(), Error> {
     contact.check()?;
     creepage.check()?;

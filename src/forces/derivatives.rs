@@ -83,9 +83,7 @@ pub struct Derivatives<F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn forces_and_derivatives<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<(Solution<F>, Derivatives<F>), Error> {
     let (solution, slopes) = solve_with_slopes(contact, creepage, options)?;
     Ok((solution, slopes.derivatives))
@@ -93,9 +91,7 @@ pub fn forces_and_derivatives<F: Float>(
 
 /// [`forces_and_derivatives`] with the intermediate results that other derivatives use.
 pub(crate) fn solve_with_slopes<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<(Solution<F>, Slopes<F>), Error> {
     let ordinary = contact.is_ordinary(creepage);
     if !ordinary {
@@ -146,10 +142,7 @@ pub(crate) struct Slopes<F> {
 impl<F: Float> Slopes<F> {
     /// From the derivatives with respect to `w`, and the forces.
     pub(crate) fn through_shift(
-        mut derivatives: Derivatives<F>,
-        shift: Option<Shift<F>>,
-        seen: &Creepage<F>,
-        force: [F; 3],
+        mut derivatives: Derivatives<F>, shift: Option<Shift<F>>, seen: &Creepage<F>, force: [F; 3],
     ) -> Self {
         let none = Sensitivity { forces: [F::zero(); 3], power: F::zero() };
         let mut found =
@@ -187,9 +180,7 @@ impl<F: Float> Slopes<F> {
 /// # Errors
 /// Those of [`forces_and_derivatives`].
 pub fn solve_jacobian<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
     let (solution, Derivatives { jacobian, .. }) =
         forces_and_derivatives(contact, creepage, options)?;
@@ -198,10 +189,7 @@ pub fn solve_jacobian<F: Float>(
 }
 
 fn differentiated<F: Float, M: Theory<F>>(
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
-    ordinary: bool,
+    frame: &ScaledContact<F>, creepage: &Creepage<F>, options: &Options, ordinary: bool,
 ) -> (Solution<F>, Slopes<F>) {
     let theory = M::of_contact(frame, options);
     let (seen, shift) = frame.seen(creepage, M::MODEL);
@@ -225,9 +213,7 @@ fn differentiated<F: Float, M: Theory<F>>(
 /// function of `c/M` and `κ/μ`.
 #[cold]
 pub(crate) fn through_shift<F: Float>(
-    derivatives: &mut Derivatives<F>,
-    shift: &Shift<F>,
-    creepage: &Creepage<F>,
+    derivatives: &mut Derivatives<F>, shift: &Shift<F>, creepage: &Creepage<F>,
     contact: &Contact<F>,
 ) {
     let [by_x, by_y, by_spin] = shift.by_creepage;
@@ -251,9 +237,7 @@ pub(crate) fn through_shift<F: Float>(
 /// Forces of a contact with load and friction, `ψ`, and the derivatives of forces.
 #[inline(always)]
 pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
-    theory: &M,
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
+    theory: &M, frame: &ScaledContact<F>, creepage: &Creepage<F>,
 ) -> (Forces<F>, F, Derivatives<F>) {
     match theory.stiffness() {
         Some(stiffness) => {
@@ -272,9 +256,7 @@ fn powers<F: Real>() -> [F; 3] {
 
 #[inline(always)]
 fn saturating<F: Real, M: Theory<F>>(
-    theory: &M,
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
+    theory: &M, frame: &ScaledContact<F>, creepage: &Creepage<F>,
 ) -> (Forces<F>, F, Derivatives<F>) {
     let ScaledContact { contact, radius, units } = frame;
     let parameters = units.parameters(&creepage.inputs());
@@ -305,9 +287,7 @@ fn saturating<F: Real, M: Theory<F>>(
 
 /// Without friction there is no force and no dependence on the creepage.
 pub(crate) fn without_friction<F: Float, M: Theory<F>>(
-    theory: &M,
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
+    theory: &M, frame: &ScaledContact<F>, creepage: &Creepage<F>,
 ) -> Derivatives<F> {
     let ScaledContact { contact, radius, .. } = frame;
     let parameters = Parameters::sliding(contact, creepage);
@@ -326,9 +306,7 @@ pub(crate) fn without_friction<F: Float, M: Theory<F>>(
 /// The linear theory: the derivatives are its coefficients.
 #[inline(always)]
 fn linear_with_slopes<F: Real>(
-    [x, y, coupling, z]: &[F; 4],
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
+    [x, y, coupling, z]: &[F; 4], frame: &ScaledContact<F>, creepage: &Creepage<F>,
     forces: &Forces<F>,
 ) -> Derivatives<F> {
     let none = F::zero();

@@ -125,9 +125,7 @@ impl<F: Float> Field<F> {
     /// Those of [`solve`](crate::forces::forces_of_contact); [`Error::NotInModel`] for models of
     /// totals only.
     pub fn new(
-        contact: &Contact<F>,
-        creepage: &Creepage<F>,
-        options: &Options,
+        contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
     ) -> Result<Self, Error> {
         check(contact, creepage, options)?;
         let frame = ScaledContact::new(contact);

@@ -138,10 +138,7 @@ impl<F: Float> Prepared<F> {
     /// Separate from the linear theory, so that the latter needs little stack.
     #[inline(never)]
     fn solve_by_model(
-        &self,
-        creepage: &Creepage<F>,
-        quick: bool,
-        solution: &mut Solution<F>,
+        &self, creepage: &Creepage<F>, quick: bool, solution: &mut Solution<F>,
     ) -> Result<(), Error> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;

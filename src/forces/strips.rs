@@ -45,9 +45,7 @@ pub struct StripResult<F> {
 /// # Errors
 /// Those of [`strips`].
 pub fn strips_of<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<usize, Error> {
     Error::NotInModel.when(matches!(options.model, Model::Total | Model::Linear))?;
     check(contact, creepage, options)?;
@@ -60,9 +58,7 @@ pub fn strips_of<F: Float>(
 /// # Errors
 /// Those of [`solve`](crate::forces::forces_of_contact).
 pub fn strips<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
     if strips_of(contact, creepage, options)? == 0 {
@@ -102,9 +98,7 @@ pub fn strips<F: Float>(
 /// The strips of STRIP, in the same form as those of the theory of 1967.
 #[inline(never)]
 fn place_strips<F: Float>(
-    strips: &EllipseStrips<F>,
-    creepage: [F; 3],
-    count: StripCount,
+    strips: &EllipseStrips<F>, creepage: [F; 3], count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
     let rule = Rule::<F>::new(count);

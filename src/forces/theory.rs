@@ -60,9 +60,7 @@ pub(crate) use by_model;
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn forces_of_contact<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<Solution<F>, Error> {
     let mut place = MaybeUninit::uninit();
     write_forces(contact, creepage, options, &mut place).copied()
@@ -70,9 +68,7 @@ pub fn forces_of_contact<F: Float>(
 
 /// The same, written where the caller wants it.
 pub(crate) fn write_forces<'a, F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
     place: &'a mut MaybeUninit<Solution<F>>,
 ) -> Result<&'a Solution<F>, Error> {
     let absent = Err(Error::ModelLeftOut);
@@ -83,9 +79,7 @@ pub(crate) fn write_forces<'a, F: Float>(
 /// The same as [`forces_of_contact`], inlined in each caller, which then links no other model.
 #[inline(always)]
 pub(crate) fn solution_of<F: Float, M: Theory<F>>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<Solution<F>, Error> {
     let ordinary = contact.is_ordinary(creepage);
     if !ordinary {
@@ -136,9 +130,7 @@ impl<F: Float> ScaledContact<F> {
     /// like bodies and in the theory of 1967.
     #[inline(always)]
     pub(crate) fn seen(
-        &self,
-        creepage: &Creepage<F>,
-        model: Model,
+        &self, creepage: &Creepage<F>, model: Model,
     ) -> (Creepage<F>, Option<Shift<F>>) {
         if self.contact.mismatch == F::zero() || model.is_of_1967() {
             return (*creepage, None);
@@ -156,10 +148,7 @@ impl<F: Float> ScaledContact<F> {
     /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
     pub(crate) fn answer<M: Theory<F>>(
-        &self,
-        theory: &M,
-        creepage: &Creepage<F>,
-        ordinary: bool,
+        &self, theory: &M, creepage: &Creepage<F>, ordinary: bool,
     ) -> Solution<F> {
         let (seen, _) = &self.seen(creepage, M::MODEL);
         let (forces, psi) = match Forces::at_rest(seen, M::MODEL) {
@@ -172,12 +161,7 @@ impl<F: Float> ScaledContact<F> {
     /// Forces with power and warning.
     #[inline(always)]
     pub(crate) fn solution(
-        &self,
-        model: Model,
-        creepage: &Creepage<F>,
-        forces: &Forces<F>,
-        psi: F,
-        ordinary: bool,
+        &self, model: Model, creepage: &Creepage<F>, forces: &Forces<F>, psi: F, ordinary: bool,
     ) -> Solution<F> {
         let of_model = if model == Model::Linear {
             linear_warning_of(forces.fx, forces.fy, self.contact.friction_bound())
@@ -228,9 +212,7 @@ pub(crate) trait Theory<F: Real>: Copy {
     /// `F/(μ N)`, `M_z/(μ N √(ab))` and the share in adhesion. The linear theory has no bound `μ N`
     /// and does not use this function.
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        parameters: &Parameters<T>,
+        &self, frame: &ScaledContact<F>, parameters: &Parameters<T>,
     ) -> Totals<T>;
 
     /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None`
@@ -261,9 +243,7 @@ impl<F: Real> Theory<F> for Strip1967 {
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        _: &ScaledContact<F>,
-        parameters: &Parameters<T>,
+        &self, _: &ScaledContact<F>, parameters: &Parameters<T>,
     ) -> Totals<T> {
         strip_1967::totals(parameters, self.0)
     }
@@ -289,9 +269,7 @@ impl<F: Real> Theory<F> for EllipseStrips<F> {
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        parameters: &Parameters<T>,
+        &self, frame: &ScaledContact<F>, parameters: &Parameters<T>,
     ) -> Totals<T> {
         self.totals_of_strips(frame.units.normalised(parameters))
     }
@@ -307,9 +285,7 @@ impl<F: Real> Theory<F> for Total<F> {
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        parameters: &Parameters<T>,
+        &self, frame: &ScaledContact<F>, parameters: &Parameters<T>,
     ) -> Totals<T> {
         self.mean_totals(frame.units.normalised(parameters))
     }
@@ -340,9 +316,7 @@ impl<F: Real> Theory<F> for Linear<F> {
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        _: &ScaledContact<F>,
-        _: &Parameters<T>,
+        &self, _: &ScaledContact<F>, _: &Parameters<T>,
     ) -> Totals<T> {
         Totals::nothing()
     }

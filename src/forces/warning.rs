@@ -28,10 +28,7 @@ pub(crate) fn linear_warning_of<F: Float>(fx: F, fy: F, bound: F) -> Warning {
 
 /// The warning of a model with a friction bound, or that an input is implausible.
 pub(crate) fn warning_of<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    model: Model,
-    psi: F,
+    contact: &Contact<F>, creepage: &Creepage<F>, model: Model, psi: F,
 ) -> Warning {
     warned(contact, creepage, saturating_warning(model, contact, contact.a / contact.b, psi))
 }
@@ -40,9 +37,7 @@ pub(crate) fn warning_of<F: Float>(
 #[cold]
 #[inline(never)]
 pub(crate) fn warned<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    warning: Warning,
+    contact: &Contact<F>, creepage: &Creepage<F>, warning: Warning,
 ) -> Warning {
     warning.worse(implausibility(contact, creepage))
 }
@@ -50,10 +45,7 @@ pub(crate) fn warned<F: Float>(
 /// [`model_warning`], or that the theory of 1967 neglects the mismatch of the materials.
 #[inline]
 pub(crate) fn saturating_warning<F: Float>(
-    model: Model,
-    contact: &Contact<F>,
-    ratio: F,
-    psi: F,
+    model: Model, contact: &Contact<F>, ratio: F, psi: F,
 ) -> Warning {
     let neglects = model.is_of_1967() && contact.mismatch != F::zero();
     let of_mismatch = if neglects { Warning::MismatchNeglected } else { Warning::None };
@@ -75,10 +67,7 @@ pub(crate) const LARGEST_SPIN: f64 = 3.0;
 /// The warning of a model with a friction bound.
 #[inline]
 pub(crate) fn model_warning<F: Float>(
-    model: Model,
-    friction_bound: F,
-    ratio: F,
-    psi: F,
+    model: Model, friction_bound: F, ratio: F, psi: F,
 ) -> Warning {
     if friction_bound <= F::zero() {
         // Without load or friction zero forces are right in every model with a friction bound.

@@ -74,10 +74,7 @@ impl<F: Float> AtFriction<F> {
     /// ```
     #[inline(always)]
     pub(crate) fn through(
-        &self,
-        law: &SlipFriction<F>,
-        falls: bool,
-        of_interface: Option<&InterfaceSlopes<F>>,
+        &self, law: &SlipFriction<F>, falls: bool, of_interface: Option<&InterfaceSlopes<F>>,
     ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
         let Self { power, motion, own, friction, load, .. } = *self;
         let Slopes { derivatives, seen, power_by_creepage, by_mismatch } = &self.slopes;
@@ -173,10 +170,7 @@ pub struct Differentiated<F: Float> {
 /// # Errors
 /// Those of `solve` and [`SlipFriction::check`].
 pub fn differentiate_with_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>, options: &Options,
 ) -> Result<Differentiated<F>, Error> {
     let motion = InMotion { creepage, law, options };
     if law.is_some() {
@@ -216,10 +210,7 @@ impl<F: Float> InMotion<'_, F> {
     /// The same of a law with a layer or a slide factor.
     #[inline(never)]
     fn at_layer(
-        &self,
-        through: &ThroughLayer<F>,
-        contact: &Contact<F>,
-        of: Warning,
+        &self, through: &ThroughLayer<F>, contact: &Contact<F>, of: Warning,
     ) -> Result<Differentiated<F>, Error> {
         let solved = through.differentiate(contact);
         let (solution, slopes, of_interface) = solved.as_ref().map_err(|error| *error)?;
@@ -230,10 +221,8 @@ impl<F: Float> InMotion<'_, F> {
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     fn through_law(
-        &self,
-        contact: &Contact<F>,
-        found: (&Solution<F>, &Slopes<F>, Option<&InterfaceSlopes<F>>),
-        of_friction: Warning,
+        &self, contact: &Contact<F>,
+        found: (&Solution<F>, &Slopes<F>, Option<&InterfaceSlopes<F>>), of_friction: Warning,
     ) -> Result<Differentiated<F>, Error> {
         let (solution, slopes, of_interface) = found;
         let solution = Solution { warning: solution.warning.worse(of_friction), ..*solution };
@@ -279,9 +268,7 @@ impl<F: Float> InMotion<'_, F> {
 /// Friction that is constant: of the law there is the slope factor alone, `F = M f(k c/M, k κ/μ)`
 /// at `k = 1`.
 pub(crate) fn without_law<F: Float>(
-    derivatives: &Derivatives<F>,
-    by_mismatch: [F; 3],
-    creepage: &Creepage<F>,
+    derivatives: &Derivatives<F>, by_mismatch: [F; 3], creepage: &Creepage<F>,
 ) -> LawDerivatives<F> {
     let mut slope_factor = derivatives.jacobian.map(|row| creepage.power(row));
     for (entry, by_mismatch) in slope_factor.iter_mut().zip(by_mismatch) {

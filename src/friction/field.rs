@@ -49,9 +49,7 @@ impl<F: Float> LawField<F> {
     /// # Errors
     /// Those of [`Field::new`] and [`SlipFriction::check`].
     pub fn new(
-        contact: &Contact<F>,
-        creepage: &Creepage<F>,
-        law: Option<&SlipFriction<F>>,
+        contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>,
         options: &Options,
     ) -> Result<Self, Error> {
         let motion = InMotion { creepage, law, options };
@@ -143,10 +141,7 @@ impl<F: Float> StripBehind<F> {
     }
 
     fn between(
-        &self,
-        half: &StripPoint<F>,
-        bristles: &StripPoint<F>,
-        slides: bool,
+        &self, half: &StripPoint<F>, bristles: &StripPoint<F>, slides: bool,
     ) -> StripPoint<F> {
         let numbers = |of: &StripPoint<F>| {
             [of.traction_x, of.traction_y, of.slip_x, of.slip_y, of.dissipation()]

@@ -78,10 +78,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
     /// Totals behind an interface whose numbers may be variables.
     #[inline(always)]
     fn totals_through_layer<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        parameters: &Parameters<T>,
-        interface: &Interface<T>,
+        &self, frame: &ScaledContact<F>, parameters: &Parameters<T>, interface: &Interface<T>,
     ) -> Totals<T> {
         let split = self.layer.split(frame.units.normalised(parameters), interface);
         let [x, y, z] = split.factors;
@@ -99,10 +96,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
     /// Totals of the model at other creepages, of which it has three derivatives at most.
     #[inline]
     fn half_spaces<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        of: &Parameters<T>,
-        seen: [T; 3],
+        &self, frame: &ScaledContact<F>, of: &Parameters<T>, seen: [T; 3],
     ) -> Totals<T> {
         let Parameters { poisson_ratio, axis_ratio, .. } = *of;
         let [xi, eta, psi] = seen.map(T::value);
@@ -124,10 +118,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
     /// checked. Sliding does nothing.
     #[inline]
     fn linear<T: Number<Base = F>>(
-        &self,
-        [x, y, coupling, z]: [F; 4],
-        creepage: &Creepage<T>,
-        layer: T,
+        &self, [x, y, coupling, z]: [F; 4], creepage: &Creepage<T>, layer: T,
     ) -> [T; 3] {
         let Creepage { longitudinal, lateral, spin } = *creepage;
         let [k1, k2, ks] = self.layer.series(layer);
@@ -153,9 +144,7 @@ impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
     }
     #[inline(always)]
     fn model_totals<T: Number<Base = F>>(
-        &self,
-        frame: &ScaledContact<F>,
-        parameters: &Parameters<T>,
+        &self, frame: &ScaledContact<F>, parameters: &Parameters<T>,
     ) -> Totals<T> {
         let Interface { layer, slide } = self.interface;
         let interface = Interface { layer: T::from_base(layer), slide: T::from_base(slide) };
@@ -228,8 +217,7 @@ impl<F: Float> ThroughLayer<'_, F> {
 
 #[inline]
 fn solve_in<F: Float, M: Theory<F>>(
-    through: &ThroughLayer<F>,
-    contact: &Contact<F>,
+    through: &ThroughLayer<F>, contact: &Contact<F>,
 ) -> Result<Solution<F>, Error> {
     let ordinary = contact.is_ordinary(through.creepage);
     if !ordinary {
@@ -244,9 +232,7 @@ fn solve_in<F: Float, M: Theory<F>>(
 }
 
 fn differentiate_in<F: Float, M: Theory<F>>(
-    through: &ThroughLayer<F>,
-    frame: &ScaledContact<F>,
-    ordinary: bool,
+    through: &ThroughLayer<F>, frame: &ScaledContact<F>, ordinary: bool,
 ) -> WithSlopes<F> {
     let contact = &frame.contact;
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
@@ -278,9 +264,7 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
     /// Forces, `ψ`, their derivatives with respect to creepages, load and friction, and to `λ` and
     /// the slide factor.
     fn with_slopes(
-        &self,
-        frame: &ScaledContact<F>,
-        creepage: &Creepage<F>,
+        &self, frame: &ScaledContact<F>, creepage: &Creepage<F>,
     ) -> (Forces<F>, F, Derivatives<F>, [[F; 3]; 2]) {
         let inputs = creepage.inputs();
         let interface = Interface {
@@ -310,10 +294,7 @@ impl<F: Float, M: Theory<F>> Layered<F, M> {
 /// Forces, their derivatives, and those by `λ` and the slide factor, from the same divided by
 /// `μ N`; those of the linear theory are not divided by anything.
 fn unscaled<F: Float>(
-    forces: &[Variable<F>; 3],
-    frame: &ScaledContact<F>,
-    creepage: &Creepage<F>,
-    layer: F,
+    forces: &[Variable<F>; 3], frame: &ScaledContact<F>, creepage: &Creepage<F>, layer: F,
     is_linear: bool,
 ) -> ([F; 3], Derivatives<F>, [[F; 3]; 2]) {
     let ScaledContact { contact, radius, .. } = frame;
@@ -358,9 +339,7 @@ impl<F: Float> ThroughLayer<'_, F> {
     /// half-spaces and of its bristles. Their shares add up to the forces of
     /// [`solve`](Self::solve).
     pub fn strips(
-        &self,
-        contact: &Contact<F>,
-        visit: &mut dyn FnMut(StripResult<F>),
+        &self, contact: &Contact<F>, visit: &mut dyn FnMut(StripResult<F>),
     ) -> Result<Warning, Error> {
         if forces::strips_of(contact, self.creepage, self.options)? == 0 {
             return Ok(Warning::None);

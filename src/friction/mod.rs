@@ -87,10 +87,7 @@ pub struct FrictionSolution<F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve_with_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, friction: &SlipFriction<F>, options: &Options,
 ) -> Result<FrictionSolution<F>, Error> {
     let motion = InMotion { creepage, law: Some(friction), options };
     motion.check(contact)?;
@@ -103,10 +100,7 @@ pub fn solve_with_law<F: Float>(
 /// # Errors
 /// Those of [`solve_with_law`].
 pub fn contact_with_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    friction: &SlipFriction<F>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, friction: &SlipFriction<F>, options: &Options,
 ) -> Result<(Contact<F>, Warning), Error> {
     let motion = InMotion { creepage, law: Some(friction), options };
     motion.check(contact)?;
@@ -119,10 +113,7 @@ pub fn contact_with_law<F: Float>(
 /// # Errors
 /// Those of [`forces::strips()`].
 pub fn strips_with_law<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
+    contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>, options: &Options,
     visit: &mut dyn FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
     match (InMotion { creepage, law, options }).behind_layer() {

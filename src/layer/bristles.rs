@@ -127,11 +127,8 @@ impl<T: Arithmetic> Rates<T> {
     /// The traction and `D` at the end of a step.
     #[inline(always)]
     fn step(
-        &self,
-        [u, x, end, l, per_u, over, bound, least, per_least]: [T::Value; 9],
-        t: [T; 2],
-        inside: T,
-        carried: &mut Bristles<T>,
+        &self, [u, x, end, l, per_u, over, bound, least, per_least]: [T::Value; 9], t: [T; 2],
+        inside: T, carried: &mut Bristles<T>,
     ) -> ([T; 2], T) {
         let (zero, one) = (T::Value::constant(0.0), T::Value::constant(1.0));
         let [sx, sy, q] = [self.x, self.y, self.spin].map(T::value);
@@ -240,11 +237,7 @@ impl<T: Arithmetic> Rates<T> {
     /// The traction at a place, from `p` where sliding begins, and that in adhesion there.
     #[inline(always)]
     fn moved(
-        &self,
-        p: [T; 2],
-        a: [T; 2],
-        onset: &SlidingPoint<T::Value>,
-        end: &SlidingPoint<T::Value>,
+        &self, p: [T; 2], a: [T; 2], onset: &SlidingPoint<T::Value>, end: &SlidingPoint<T::Value>,
         way: T,
     ) -> [T; 2] {
         let (zero, one) = (T::Value::constant(0.0), T::Value::constant(1.0));

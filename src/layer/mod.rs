@@ -163,9 +163,7 @@ impl<F: Real> Layer<F> {
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn split<T: Number<Base = F>>(
-        &self,
-        [vx, vy, phi]: [T; 3],
-        interface: &Interface<T>,
+        &self, [vx, vy, phi]: [T; 3], interface: &Interface<T>,
     ) -> Split<T> {
         let LinearCoefficients { c11, c22, c23, .. } = self.linear;
         let one = T::one();
@@ -194,9 +192,7 @@ impl<F: Real> Layer<F> {
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn with_bristles<T: Number<Base = F>>(
-        &self,
-        half_spaces: &Totals<T>,
-        split: &Split<T>,
+        &self, half_spaces: &Totals<T>, split: &Split<T>,
     ) -> Totals<T> {
         let Totals { fx, fy, mz, stick } = *half_spaces;
         let bristles = self.bristles(split.rates);
@@ -307,10 +303,7 @@ impl<F: Real> Layer<F> {
     /// The sums over the strips of every four from `lane` on, as many side by side as `P` has.
     #[inline(always)]
     fn sums_from<P: Strips<F>, T: Arithmetic<Value = P>>(
-        &self,
-        rates: [F; 3],
-        by: [T; 3],
-        lane: usize,
+        &self, rates: [F; 3], by: [T; 3], lane: usize,
     ) -> [T; 4] {
         let [x, y, spin] = rates.map(P::all);
         let (one, zero) = (P::constant(1.0), P::zero());

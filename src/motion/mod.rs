@@ -124,10 +124,7 @@ pub struct MotionDerivatives<F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve_motion<F: Float>(
-    contact: &Contact<F>,
-    motion: &Motion<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
+    contact: &Contact<F>, motion: &Motion<F>, law: Option<&SlipFriction<F>>, options: &Options,
 ) -> Result<(Solution<F>, F), Error> {
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
@@ -147,10 +144,7 @@ pub fn solve_motion<F: Float>(
 /// Those of [`solve_motion`]; [`Error::Overflow`] also when a derivative does not fit the
 /// floating-point type.
 pub fn differentiate_motion<F: Float>(
-    contact: &Contact<F>,
-    motion: &Motion<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
+    contact: &Contact<F>, motion: &Motion<F>, law: Option<&SlipFriction<F>>, options: &Options,
 ) -> Result<(Solution<F>, F, MotionDerivatives<F>), Error> {
     let rolling = Rolling::new(motion)?;
     let law = law.map(|law| SlipFriction { rolling_speed: rolling.speed, ..*law });
@@ -170,8 +164,7 @@ pub fn differentiate_motion<F: Float>(
 
 /// The contact with the friction of the law, if there is one.
 fn with_friction_of_law<F: Float>(
-    contact: &Contact<F>,
-    law: Option<&SlipFriction<F>>,
+    contact: &Contact<F>, law: Option<&SlipFriction<F>>,
 ) -> Contact<F> {
     Contact { friction: law.map_or(contact.friction, |law| law.friction), ..*contact }
 }
@@ -219,8 +212,7 @@ impl<F: Float> Rolling<F> {
     /// argument of the function tells whether the axes are turned. Where only one end leads, both
     /// results are those of this end, and one of them has a share of zero.
     pub(crate) fn each_end<S: Copy>(
-        &self,
-        mut solve: impl FnMut(&Creepage<F>, bool) -> Result<S, Error>,
+        &self, mut solve: impl FnMut(&Creepage<F>, bool) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
         let Creepage { longitudinal, lateral, spin } = self.creepage;
         let turned = Creepage { longitudinal: -longitudinal, lateral: -lateral, spin };
@@ -237,9 +229,7 @@ impl<F: Float> Rolling<F> {
     /// [`Self::each_end`] of a contact whose ends have the mismatch `±κ V/V_f`; the argument is
     /// that ratio.
     fn each_end_of<S: Copy>(
-        &self,
-        contact: &Contact<F>,
-        ratio: F,
+        &self, contact: &Contact<F>, ratio: F,
         solve: impl Fn(&Contact<F>, &Creepage<F>) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
         self.each_end(|creepage, turned| {
@@ -251,9 +241,7 @@ impl<F: Float> Rolling<F> {
     /// `∂F/∂κ_V ∂κ_V/∂V` of the mismatch `κ_V = κ V/V_f`, `∂κ_V/∂V = κ floor²/V_f³`.
     /// The function gives the derivatives at both ends for a ratio `V/V_f`.
     pub(crate) fn through_mismatch(
-        &self,
-        mismatch: F,
-        ends: impl FnOnce(F) -> Result<[Differentiated<F>; 2], Error>,
+        &self, mismatch: F, ends: impl FnOnce(F) -> Result<[Differentiated<F>; 2], Error>,
     ) -> Result<[F; 3], Error> {
         if mismatch == F::zero() {
             return Ok([F::zero(); 3]);
@@ -283,17 +271,13 @@ impl<F: Float> Rolling<F> {
     /// `w(V) F₊ + w(−V) R F₋` of forces, or of their derivatives with respect to quantities that do
     /// not turn.
     pub(crate) fn both_ends(
-        &self,
-        [x, y, z]: [F; 3],
-        [turned_x, turned_y, z_turned]: [F; 3],
+        &self, [x, y, z]: [F; 3], [turned_x, turned_y, z_turned]: [F; 3],
     ) -> [F; 3] {
         [self.mean(x, -turned_x), self.mean(y, -turned_y), self.mean(z, z_turned)]
     }
 
     fn blended(
-        &self,
-        contact: &Contact<F>,
-        (forward, friction): (Solution<F>, F),
+        &self, contact: &Contact<F>, (forward, friction): (Solution<F>, F),
         (backward, friction_backward): (Solution<F>, F),
     ) -> Result<(Solution<F>, F), Error> {
         let [fx, fy, mz] = self.both_ends(forward.components(), backward.components());
@@ -312,10 +296,7 @@ impl<F: Float> Rolling<F> {
     }
 
     pub(crate) fn slopes(
-        &self,
-        forward: &Differentiated<F>,
-        backward: &Differentiated<F>,
-        by_mismatch: [F; 3],
+        &self, forward: &Differentiated<F>, backward: &Differentiated<F>, by_mismatch: [F; 3],
     ) -> MotionDerivatives<F> {
         let (ahead, behind) = (&forward.derivatives, &backward.derivatives);
         let ([ax, ay, az], [bx, by, bz]) = (ahead.jacobian, behind.jacobian);

@@ -63,8 +63,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
     /// of each, and whether it may touch, and `centre_x` the centre.
     pub(super) fn fill(
-        &mut self,
-        of: impl Fn([Dual<F, N>; 2]) -> ([Dual<F, N>; 3], F),
+        &mut self, of: impl Fn([Dual<F, N>; 2]) -> ([Dual<F, N>; 3], F),
         centre_x: impl Fn(Dual<F, N>) -> Dual<F, N>,
     ) {
         for cell in self.list.iter_mut() {
@@ -81,9 +80,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// `partly` is the `t` within which a cell touches in part \[m\].
     #[inline(never)]
     pub(crate) fn press<const STORED: usize, const ROOM: usize>(
-        &mut self,
-        equations: &mut Equations<F, STORED, ROOM>,
-        partly: Dual<F, N>,
+        &mut self, equations: &mut Equations<F, STORED, ROOM>, partly: Dual<F, N>,
         given: Given<Dual<F, N>>,
     ) -> Dual<F, N> {
         equations.make_room(self.list.len());
@@ -207,9 +204,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Computes `dA p` of all directions. Its sums replace the influence.
     #[inline(never)]
     fn add_slopes<const STORED: usize, const ROOM: usize>(
-        &self,
-        equations: &mut Equations<F, STORED, ROOM>,
-        pressures: &[F; CELLS],
+        &self, equations: &mut Equations<F, STORED, ROOM>, pressures: &[F; CELLS],
     ) {
         const { assert!(4 * N <= ROOM) };
         equations.clear_influence();
@@ -358,9 +353,7 @@ impl<F: Float, const N: usize> Across<F, N> {
     /// edge is as far as the other's upper edge.
     #[inline]
     fn fill<E: StripEdge, const ALL: usize>(
-        &mut self,
-        edges: &CellEdges<F, N>,
-        cells: &[Cell<F, ALL>],
+        &mut self, edges: &CellEdges<F, N>, cells: &[Cell<F, ALL>],
     ) {
         let Self { values, slopes, is_lower, count } = self;
         let width = (edges.upper - edges.lower).value;

@@ -18,9 +18,7 @@ pub(crate) struct Overlap<F> {
 impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// Hands every zone of overlap to `take`, in ascending order, in the numbers of `number`.
     pub(crate) fn overlaps(
-        &self,
-        number: impl Fn(Dual<F, N>) -> F,
-        mut take: impl FnMut(Overlap<F>),
+        &self, number: impl Fn(Dual<F, N>) -> F, mut take: impl FnMut(Overlap<F>),
     ) {
         let mut open: Option<Overlap<F>> = None;
         let of = |knot: &Knot<F, N>| {
@@ -82,8 +80,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// slope. (The zones are written where they stay: a copy
     /// would take room on the stack.)
     pub(super) fn zones(
-        &self,
-        zones: &mut Zones<F, N>,
+        &self, zones: &mut Zones<F, N>,
         of: impl Fn(Dual<F, N>, Dual<F, N>, Dual<F, N>) -> [Dual<F, N>; 2],
     ) -> bool {
         let [start, finish] = self.ends;

@@ -90,11 +90,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     /// Solves the equations of the touching cells once more, for what the derivatives of the
     /// influence in a direction deflect: `side − dA p`, in place.
     pub(super) fn solve_for_slopes(
-        &self,
-        direction: usize,
-        touching: &[usize],
-        pressures: &Column<F>,
-        side: &mut Column<F>,
+        &self, direction: usize, touching: &[usize], pressures: &Column<F>, side: &mut Column<F>,
     ) {
         with_avx!(if 1 => <F: Float; N, ROOM>(
             equations: &Equations<F, N, ROOM> = self,

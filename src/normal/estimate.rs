@@ -57,9 +57,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     /// The load alone. It stays out of line, so that the edges take room on the stack only here.
     #[inline(never)]
     pub fn load(
-        curve: &SmoothedProfile<F, N>,
-        approach: Dual<F, N>,
-        radius: Dual<F, N>,
+        curve: &SmoothedProfile<F, N>, approach: Dual<F, N>, radius: Dual<F, N>,
         cells: &mut Cells<F, N>,
     ) -> Dual<F, N> {
         let mut estimate = Self::nothing();
@@ -78,10 +76,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     /// on the stack.)
     #[inline(never)]
     pub fn fill(
-        &mut self,
-        curve: &SmoothedProfile<F, N>,
-        approach: Dual<F, N>,
-        cells: &mut Cells<F, N>,
+        &mut self, curve: &SmoothedProfile<F, N>, approach: Dual<F, N>, cells: &mut Cells<F, N>,
         radius: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     ) {
         let level = approach.times(OVERLAP);
@@ -181,8 +176,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
 /// zones are not needed afterwards.
 #[inline(never)]
 fn place_loads<F: Float, const N: usize>(
-    curve: &SmoothedProfile<F, N>,
-    (approach, level): (Dual<F, N>, Dual<F, N>),
+    curve: &SmoothedProfile<F, N>, (approach, level): (Dual<F, N>, Dual<F, N>),
     cells: &mut Cells<F, N>,
 ) {
     let mut zones = Zones::new(approach, curve.smoothing());
@@ -192,8 +186,7 @@ fn place_loads<F: Float, const N: usize>(
 
 /// Numbers of up to four edges side by side.
 fn side_by_side<F: Float, const N: usize>(
-    edges: &[LoadEdge<F, N>],
-    number: impl Fn(&LoadEdge<F, N>) -> Dual<F, N>,
+    edges: &[LoadEdge<F, N>], number: impl Fn(&LoadEdge<F, N>) -> Dual<F, N>,
 ) -> Dual<[F; 4], N> {
     let number = |k: usize| edges.get(k).map_or(Dual::zero(), &number);
     let four = |of: &dyn Fn(Dual<F, N>) -> F| [0, 1, 2, 3].map(|k| of(number(k)));

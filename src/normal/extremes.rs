@@ -16,9 +16,7 @@ const CLOSE: f64 = 1e-9;
 /// place between them. The extreme of the function is sought half way to the cubic's inflection, so
 /// that it moves without a jump from where the cubic has one.
 pub(super) fn refined<F: Float, const N: usize>(
-    cubic: &Cubic<Dual<F, N>>,
-    length: F,
-    mut cut: Dual<F, N>,
+    cubic: &Cubic<Dual<F, N>>, length: F, mut cut: Dual<F, N>,
     exact: impl Fn(Dual<F, N>) -> [Dual<F, N>; 2],
 ) -> Dual<F, N> {
     let Cubic(c) = cubic;
@@ -65,8 +63,7 @@ pub(super) fn refined<F: Float, const N: usize>(
 /// The places of the beginning, the two extremes and the end of a cubic of some length. In the
 /// place of extremes that are none there is twice the point of inflection, from which they come.
 pub(super) fn cuts<F: Float, const N: usize>(
-    cubic: &Cubic<Dual<F, N>>,
-    length: Dual<F, N>,
+    cubic: &Cubic<Dual<F, N>>, length: Dual<F, N>,
 ) -> [Dual<F, N>; 4] {
     let zero = Dual::zero();
     let Cubic([_, c1, c2, c3]) = *cubic;
@@ -99,9 +96,7 @@ pub(super) fn cuts<F: Float, const N: usize>(
 
 /// The place where a function is zero between two places of different sign, with its derivative.
 pub(super) fn zero_of<F: Float, const N: usize>(
-    of: impl Fn(Dual<F, N>) -> [Dual<F, N>; 2],
-    negative: F,
-    positive: F,
+    of: impl Fn(Dual<F, N>) -> [Dual<F, N>; 2], negative: F, positive: F,
 ) -> Dual<F, N> {
     let plain = |t: F| of(Dual::from_base(t)).map(|x| x.value);
     let t = root(Bracket { negative, positive }, plain);

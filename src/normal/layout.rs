@@ -38,9 +38,7 @@ const OF_LOBE: f64 = 3.0;
 /// and whether there are cells enough for the lobes.
 #[inline(never)]
 pub(super) fn layout<F: Float, const N: usize>(
-    zones: &Zones<F, N>,
-    [count, most]: [usize; 2],
-    cells: &mut Cells<F, N>,
+    zones: &Zones<F, N>, [count, most]: [usize; 2], cells: &mut Cells<F, N>,
 ) -> (Dual<F, N>, bool) {
     let list = &mut cells.list;
     list.clear();
@@ -147,9 +145,7 @@ pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
 
 /// A part of a cell that leans on others; none for a whole cell.
 fn leaning<F: Float, const N: usize>(
-    known: &[Cell<F, N>],
-    i: usize,
-    half_cell: Dual<F, N>,
+    known: &[Cell<F, N>], i: usize, half_cell: Dual<F, N>,
 ) -> Option<Cell<F, N>> {
     let place = known.get(i)?;
     if place.share.value >= F::one() - F::EPSILON.times(256.0) {
@@ -199,9 +195,7 @@ fn softness<F: Float, const N: usize>(share: Dual<F, N>) -> Dual<F, N> {
 /// The mean of `(1 − r)²/r` over all numbers from 0 to 1, with the share `r` of a place's zone and
 /// of those that are nearer than the number.
 fn softness_of_zone<F: Float, const N: usize>(
-    known: &[Cell<F, N>],
-    from: usize,
-    half_cell: Dual<F, N>,
+    known: &[Cell<F, N>], from: usize, half_cell: Dual<F, N>,
 ) -> Dual<F, N> {
     let Some((before, [place, after @ ..])) = known.split_at_checked(from) else {
         return Dual::zero();

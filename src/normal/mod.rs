@@ -87,9 +87,7 @@ impl<F: Float> Indentation<F> {
 
     /// Solves the contact; `cells` receives what strips are made of, nothing without contact.
     pub(crate) fn new(
-        profile: &Profile<F>,
-        contact: &ProfileContact<F>,
-        count: StripCount,
+        profile: &Profile<F>, contact: &ProfileContact<F>, count: StripCount,
         cells: &mut Cells<F, 1>,
     ) -> Result<Self, Error> {
         // the first guess of the approach requires a radius
@@ -119,12 +117,8 @@ impl<F: Float> Indentation<F> {
     /// are those that are requested; `cells` receives what strips are made of, nothing without
     /// contact.
     pub(crate) fn of_surfaces<const N: usize>(
-        profile: &Profile<F>,
-        curve: &SmoothedProfile<F, N>,
-        contact: &ProfileContact<F>,
-        approach: Dual<F, N>,
-        count: StripCount,
-        cells: &mut Cells<F, N>,
+        profile: &Profile<F>, curve: &SmoothedProfile<F, N>, contact: &ProfileContact<F>,
+        approach: Dual<F, N>, count: StripCount, cells: &mut Cells<F, N>,
     ) -> Result<Self, Error> {
         contact.check(true)?;
         cells.list.clear();
@@ -153,9 +147,7 @@ impl<F: Float> Indentation<F> {
 
     /// Solves for the pressures of cells.
     fn pressed<const N: usize>(
-        profile: &Profile<F>,
-        contact: &ProfileContact<F>,
-        cells: &mut Cells<F, N>,
+        profile: &Profile<F>, contact: &ProfileContact<F>, cells: &mut Cells<F, N>,
         outline: Outline<F, N>,
     ) -> Result<Self, Error> {
         let Outline { given, power, partly, iterations, warning, lowest } = outline;
@@ -184,10 +176,7 @@ impl<F: Float> Indentation<F> {
     /// Hands the strips that touch to `take`, made of the numbers that `of` makes of those of
     /// cells.
     pub(crate) fn strips<const N: usize>(
-        &mut self,
-        contact: &ProfileContact<F>,
-        cells: &Cells<F, N>,
-        of: impl Fn(Dual<F, N>) -> F,
+        &mut self, contact: &ProfileContact<F>, cells: &Cells<F, N>, of: impl Fn(Dual<F, N>) -> F,
         mut take: impl FnMut(PatchStrip<F>) -> bool,
     ) -> Result<(), Error> {
         let modulus = contact.modulus().times(PI);
@@ -219,9 +208,7 @@ impl<F: Float> Indentation<F> {
 
 /// Pressures and corrected lengths of the cells; the approach.
 fn solve_pressures<F: Float, const N: usize>(
-    cells: &mut Cells<F, N>,
-    by: [Dual<F, N>; 2],
-    given: Given<Dual<F, N>>,
+    cells: &mut Cells<F, N>, by: [Dual<F, N>; 2], given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
     let are_few = CELLS == FEW || cells.list.len() <= FEW;
     match (N == 1, are_few) {
@@ -237,9 +224,7 @@ fn solve_pressures<F: Float, const N: usize>(
 /// the stack.)
 #[inline(never)]
 fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: usize>(
-    cells: &mut Cells<F, N>,
-    [power, partly]: [Dual<F, N>; 2],
-    given: Given<Dual<F, N>>,
+    cells: &mut Cells<F, N>, [power, partly]: [Dual<F, N>; 2], given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
     let mut equations = Equations::<F, STORED, ROOM>::new();
     let mut pressed = cells.press(&mut equations, partly, given);
@@ -278,9 +263,7 @@ impl<F: Float> Patch<F> {
     /// # Ok::<(), kstrip::status::Error>(())
     /// ```
     pub fn from_profile(
-        profile: &Profile<F>,
-        contact: &ProfileContact<F>,
-        count: StripCount,
+        profile: &Profile<F>, contact: &ProfileContact<F>, count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
         let mut list = Vec::<_, CELLS>::new();
         let mut cells = Cells { list: list.as_mut_view() };

@@ -42,8 +42,7 @@ fn number_of_cells(count: StripCount) -> [usize; 2] {
 /// Passes memory for the cells of a patch of so many strips to a function. Most patches have no
 /// more than [`FEW`] cells: there is one more for each zone but the first.
 pub(crate) fn with_cells<F: Float, R, const N: usize>(
-    count: StripCount,
-    function: impl FnOnce(&mut Cells<F, N>) -> R,
+    count: StripCount, function: impl FnOnce(&mut Cells<F, N>) -> R,
 ) -> R {
     let [_, most] = number_of_cells(count);
     if FEW == CELLS || most + ZONES <= FEW {
@@ -82,11 +81,8 @@ impl<F: Float> Outline<F, 1> {
     /// solved.)
     #[inline(never)]
     pub fn new(
-        profile: &Profile<F>,
-        contact: &ProfileContact<F>,
-        given: Given<Dual<F, 1>>,
-        count: StripCount,
-        cells: &mut Cells<F, 1>,
+        profile: &Profile<F>, contact: &ProfileContact<F>, given: Given<Dual<F, 1>>,
+        count: StripCount, cells: &mut Cells<F, 1>,
     ) -> Result<Option<Self>, Error> {
         let radius = contact.rolling_radius;
         // about the approach, and the curve that its width requires
@@ -142,13 +138,10 @@ impl<F: Float, const N: usize> Outline<F, N> {
     /// The cells of a curve for an approach.
     #[inline(never)]
     pub fn with_cells(
-        profile: &Profile<F>,
-        contact: &ProfileContact<F>,
-        curve: &SmoothedProfile<F, N>,
+        profile: &Profile<F>, contact: &ProfileContact<F>, curve: &SmoothedProfile<F, N>,
         (given, approach): (Given<Dual<F, N>>, Dual<F, N>),
         radius: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
-        count: StripCount,
-        cells: &mut Cells<F, N>,
+        count: StripCount, cells: &mut Cells<F, N>,
     ) -> Self {
         let (warning, radius, width) = touching(curve, approach, radius, count, cells);
         lean(cells);
@@ -173,11 +166,9 @@ impl<F: Float, const N: usize> Outline<F, N> {
 /// estimate need not be kept while the cells are filled.)
 #[inline(never)]
 fn touching<F: Float, const N: usize>(
-    curve: &SmoothedProfile<F, N>,
-    approach: Dual<F, N>,
+    curve: &SmoothedProfile<F, N>, approach: Dual<F, N>,
     of_loads: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
-    count: StripCount,
-    cells: &mut Cells<F, N>,
+    count: StripCount, cells: &mut Cells<F, N>,
 ) -> (Warning, Dual<F, N>, Dual<F, N>) {
     let mut estimate = Estimate::nothing();
     let mut radius = Dual::zero();
@@ -193,11 +184,8 @@ fn touching<F: Float, const N: usize>(
 /// The part of it that needs the zones.
 #[inline(never)]
 fn cells_of_zones<F: Float, const N: usize>(
-    curve: &SmoothedProfile<F, N>,
-    estimate: &Estimate<F, N>,
-    approach: Dual<F, N>,
-    count: [usize; 2],
-    cells: &mut Cells<F, N>,
+    curve: &SmoothedProfile<F, N>, estimate: &Estimate<F, N>, approach: Dual<F, N>,
+    count: [usize; 2], cells: &mut Cells<F, N>,
 ) -> (Warning, Dual<F, N>) {
     let mut zones = Zones::new(approach, curve.smoothing());
     let at_end = curve.zones(&mut zones, |y, height, slope| {

@@ -24,10 +24,7 @@ pub(super) struct Parabola<T: Arithmetic> {
 
 /// The parabola about a place; `next` is the number of the first point that is not before it.
 pub(super) fn parabola<F: Float, T: Arithmetic<Value = F>>(
-    profile: &Profile<F>,
-    place: T,
-    next: usize,
-    length: T,
+    profile: &Profile<F>, place: T, next: usize, length: T,
 ) -> Parabola<T> {
     // s² = s₀² + (2.5 steps)²
     let length = (length.squared() + spacing(profile, place, next).squared()).sqrt();
@@ -77,9 +74,7 @@ pub(super) fn with_ridge<F: Float, T: Arithmetic<Value = F>>(mut m: [T; 5]) -> N
 /// whose height is `above`.
 #[inline]
 pub(super) fn near_points<F: Float, T: Arithmetic<Value = F>>(
-    share: T,
-    [height, slope]: [T; 2],
-    above: impl FnOnce() -> T,
+    share: T, [height, slope]: [T; 2], above: impl FnOnce() -> T,
 ) -> [T; 2] {
     let t = share.plus(-0.45).times(5.0).max(T::zero()).min(T::one());
     if t.value() >= F::one() {

@@ -177,9 +177,7 @@ impl<'a, F: Float> Profile<'a, F> {
     /// `V = ∫ (h₀ − h) dy` over the overlap at `h₀ = 0.55 δ`; `radius` for a profile without radii.
     /// Returns half the width of the parabola of this volume, and the mean rolling radius \[m\].
     pub(super) fn section<const N: usize>(
-        &self,
-        approach: Dual<F, N>,
-        radius: F,
+        &self, approach: Dual<F, N>, radius: F,
     ) -> [Dual<F, N>; 2] {
         let level = approach.times(SECTION);
         let mut volume = Dual::from_base(F::TINY);
@@ -225,9 +223,7 @@ impl<'a, F: Float> Profile<'a, F> {
 /// logarithms between brackets, the last without a test, so that derivatives are those of the
 /// inverse function. `None` beyond the range of the numbers.
 pub(super) fn invert<F: Float>(
-    target: Dual<F, 1>,
-    start: F,
-    mut function: impl FnMut(Dual<F, 1>) -> Dual<F, 1>,
+    target: Dual<F, 1>, start: F, mut function: impl FnMut(Dual<F, 1>) -> Dual<F, 1>,
 ) -> Option<(Dual<F, 1>, u32)> {
     let mut bracket = Bracket { negative: F::TINY, positive: F::LARGEST };
     let mut x = start;

@@ -181,10 +181,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// so that they need not be doubled at once.
     #[inline]
     fn fill_all(
-        &mut self,
-        profile: &Profile<F>,
-        length: Dual<F, N>,
-        knots: f64,
+        &mut self, profile: &Profile<F>, length: Dual<F, N>, knots: f64,
         (level, from): (Dual<F, N>, F),
         mut fill: impl FnMut(&mut Self, Dual<F, N>, Dual<F, N>) -> bool,
     ) {
@@ -211,11 +208,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
 
     /// Places knots where the profile is low. Returns whether there was room.
     fn fill(
-        &mut self,
-        profile: &Profile<F>,
-        length: Dual<F, N>,
-        level: F,
-        step: Dual<F, N>,
+        &mut self, profile: &Profile<F>, length: Dual<F, N>, level: F, step: Dual<F, N>,
     ) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
@@ -341,8 +334,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
 
     /// Hands every piece to `take`, with the cubic of the value and slope that `of` gives at knots.
     pub(super) fn pieces(
-        &self,
-        of: impl Fn(&Knot<F, N>) -> [Dual<F, N>; 2],
+        &self, of: impl Fn(&Knot<F, N>) -> [Dual<F, N>; 2],
         mut take: impl FnMut(&Knot<F, N>, &Cubic<Dual<F, N>>, Dual<F, N>),
     ) {
         for (knot, next) in pairs(&self.knots) {

@@ -68,8 +68,7 @@ pub(crate) const fn evens_first<const R: usize, const C: usize>(
 
 /// Every second row, from this one on.
 pub(crate) const fn every_second<const R: usize, const C: usize, const HALF: usize>(
-    table: &[[f32; C]; R],
-    first: usize,
+    table: &[[f32; C]; R], first: usize,
 ) -> [[f64; C]; HALF] {
     let (table, mut rows) = (widen(table), [[0.0; C]; HALF]);
     let mut i = 0;
@@ -97,9 +96,7 @@ const CONTACTS_BLOCK: usize = 12;
 /// again.)
 #[inline(always)]
 pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
-    start: &[F; C],
-    inputs: impl Iterator<Item = F> + Clone,
-    rows: &[[F::Stored; C]; R],
+    start: &[F; C], inputs: impl Iterator<Item = F> + Clone, rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
     let mut sums = *start;
     if const { F::LANES > 1 || P::COUNT == 1 } {
@@ -117,9 +114,7 @@ pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
 /// [`add_rows`] to a row of a table.
 #[inline(always)]
 pub(crate) fn add_rows_to<F: Real, P: Strips<F>, const C: usize, const R: usize>(
-    start: &[F::Stored; C],
-    inputs: impl Iterator<Item = F> + Clone,
-    rows: &[[F::Stored; C]; R],
+    start: &[F::Stored; C], inputs: impl Iterator<Item = F> + Clone, rows: &[[F::Stored; C]; R],
 ) -> [F; C] {
     add_rows::<F, P, C, R>(&row(start), inputs, rows)
 }
@@ -128,10 +123,7 @@ pub(crate) fn add_rows_to<F: Real, P: Strips<F>, const C: usize, const R: usize>
 /// first one that is left.
 #[inline(always)]
 fn add_columns<F: Real, P: Strips<F>, const C: usize>(
-    sums: &mut [F; C],
-    inputs: impl Iterator<Item = F>,
-    rows: &[[F::Stored; C]],
-    first: usize,
+    sums: &mut [F; C], inputs: impl Iterator<Item = F>, rows: &[[F::Stored; C]], first: usize,
 ) -> usize {
     let columns = sums.get_mut(first..).unwrap_or_default();
     let next = first + columns.len() / P::COUNT * P::COUNT;
@@ -170,9 +162,7 @@ fn add_columns<F: Real, P: Strips<F>, const C: usize>(
 /// [`add_rows`] in place, of numbers that stand side by side.
 #[inline(always)]
 fn add_in_blocks<F: Real, const C: usize>(
-    sums: &mut [F; C],
-    inputs: impl Iterator<Item = F> + Clone,
-    rows: &[[F::Stored; C]],
+    sums: &mut [F; C], inputs: impl Iterator<Item = F> + Clone, rows: &[[F::Stored; C]],
 ) {
     let (blocks, rest) = sums.as_chunks_mut::<CONTACTS_BLOCK>();
     for (k, block) in blocks.iter_mut().enumerate() {

@@ -37,9 +37,7 @@ pub trait Arithmetic:
     /// by the compiler.
     #[inline]
     fn composed<const N: usize>(
-        value: Self::Value,
-        _slopes: [Self::Value; N],
-        _inputs: [Self; N],
+        value: Self::Value, _slopes: [Self::Value; N], _inputs: [Self; N],
     ) -> Self {
         Self::from_base(value)
     }
@@ -251,8 +249,7 @@ pub trait Float: Real<Stored = Self> + PartialOrd + Default + nalgebra::Scalar {
     fn inverse_of_normal(matrix: nalgebra::Matrix6<Self>) -> Option<nalgebra::Matrix6<Self>>;
     /// Of one table in both precisions, that in this one; the other is not even linked.
     fn table<const R: usize, const C: usize>(
-        single: &'static [[f32; C]; R],
-        double: &'static [[f64; C]; R],
+        single: &'static [[f32; C]; R], double: &'static [[f64; C]; R],
     ) -> &'static [[Self; C]; R];
 }
 
@@ -320,9 +317,7 @@ pub(super) fn each<T: Copy, const N: usize>(mut a: [T; N], of: impl Fn(T) -> T) 
 /// An operation of one number and its neighbour after the other.
 #[inline]
 pub(super) fn each_pair<T: Copy, const N: usize>(
-    mut a: [T; N],
-    b: [T; N],
-    of: impl Fn(T, T) -> T,
+    mut a: [T; N], b: [T; N], of: impl Fn(T, T) -> T,
 ) -> [T; N] {
     if let ([a0, a1], [b0, b1]) = (&mut a[..], &b[..]) {
         (*a0, *a1) = (of(*a0, *b0), of(*a1, *b1));
@@ -337,9 +332,7 @@ pub(super) fn each_pair<T: Copy, const N: usize>(
 /// `yes` where a number is positive, else `no`, one after the other.
 #[inline]
 pub(super) fn each_chosen<T: Arithmetic, const N: usize>(
-    by: [T; N],
-    yes: [T; N],
-    mut no: [T; N],
+    by: [T; N], yes: [T; N], mut no: [T; N],
 ) -> [T; N] {
     for ((no, by), yes) in no.iter_mut().zip(by).zip(yes) {
         *no = by.choose(yes, *no);

@@ -80,9 +80,7 @@ impl<T: Arithmetic> Cubic<T> {
 /// A point beside that is closer than `least h` counts less, so that it may come out of an end.
 #[inline]
 pub(crate) fn between_parabolas<F: Float, const N: usize>(
-    [(from, before), (to, after)]: [(F, [F; N]); 2],
-    beside: [Option<(F, [F; N])>; 2],
-    least: F,
+    [(from, before), (to, after)]: [(F, [F; N]); 2], beside: [Option<(F, [F; N])>; 2], least: F,
     place: F,
 ) -> [F; N] {
     let length = to - from + F::TINY;

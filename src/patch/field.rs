@@ -57,9 +57,7 @@ impl<'a, F: Float> PatchField<'a, F> {
     /// [`Error::NotInModel`] also for [`Model::Total`]; [`Error::Overflow`] also when the
     /// dissipation of a point does not fit the floating-point type.
     pub fn new(
-        patch: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
-        law: Option<&SlipFriction<F>>,
+        patch: &'a PatchView<'a, F>, creepage: &'a Creepage<F>, law: Option<&SlipFriction<F>>,
         model: Model,
     ) -> Result<Self, Error> {
         Error::NotInModel.unless(model != Model::Total)?;

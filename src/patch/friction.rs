@@ -67,10 +67,7 @@ use crate::status::{Error, Warning};
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve_patch_with_law<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: &SlipFriction<F>,
-    model: Model,
+    patch: &PatchView<F>, creepage: &Creepage<F>, law: &SlipFriction<F>, model: Model,
 ) -> Result<FrictionSolution<F>, Error> {
     let problem = FrictionProblem::new(patch, creepage, Some(law), model)?;
     let (share, warning) = problem.agreement()?;
@@ -111,9 +108,7 @@ pub(super) struct FrictionProblem<'a, F: Float> {
 impl<'a, F: Float> FrictionProblem<'a, F> {
     /// Without a law friction is constant.
     pub fn new(
-        patch: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
-        law: Option<&SlipFriction<F>>,
+        patch: &'a PatchView<'a, F>, creepage: &'a Creepage<F>, law: Option<&SlipFriction<F>>,
         model: Model,
     ) -> Result<Self, Error> {
         let constant = SlipFriction::of_constant(F::one());
@@ -181,10 +176,7 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 /// # Errors
 /// Those of [`solve_patch_with_law`]; [`Error::Overflow`] also when a derivative does not fit.
 pub fn differentiate_patch<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    model: Model,
+    patch: &PatchView<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>, model: Model,
 ) -> Result<Differentiated<F>, Error> {
     let (load, bound) = (patch.normal_force(), patch.friction_bound());
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
@@ -278,11 +270,8 @@ pub(crate) struct Visited<F: Float> {
 
 /// Passes the forces of every strip to `visit`, with derivatives if there are `SLOPES`.
 pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    (model, by): (Model, Option<By>),
-    visit: &mut dyn FnMut(usize, &AtStrip<F>),
+    patch: &PatchView<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>,
+    (model, by): (Model, Option<By>), visit: &mut dyn FnMut(usize, &AtStrip<F>),
 ) -> Result<Visited<F>, Error> {
     let problem = FrictionProblem::new(patch, creepage, law, model)?;
     let (share, warning) = problem.agreement()?;
@@ -345,12 +334,8 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
 /// # Errors
 /// Those of [`solve_patch_with_law`].
 pub fn patch_strips_with_law<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    share: F,
-    model: Model,
-    visit: &mut impl FnMut(StripResult<F>),
+    patch: &PatchView<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>, share: F,
+    model: Model, visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
     if law.is_none() {
         return solver::patch_strips(patch, creepage, model, visit);

@@ -174,9 +174,7 @@ fn check_ellipse<F: Float>(contact: &Contact<F>, count: StripCount) -> Result<()
 
 /// Passes the strips of a checked ellipse to `take`, which returns whether there was room.
 fn ellipse<F: Float>(
-    contact: &Contact<F>,
-    count: StripCount,
-    mut take: impl FnMut(PatchStrip<F>) -> bool,
+    contact: &Contact<F>, count: StripCount, mut take: impl FnMut(PatchStrip<F>) -> bool,
 ) -> Result<QuadratureScale<F>, Error> {
     let rule = Rule::<F>::new(count);
     for [y, half_length, width] in rule.places() {

@@ -46,10 +46,7 @@ impl<F: Float> ZoneLaw<F> {
 
     /// The creepages of strips with this centre, for their creepage of the patch, not the slip's.
     pub fn see<T: Number<Base = F>>(
-        &self,
-        slip: &PatchSlip<T>,
-        creepage: &Creepage<T>,
-        x: F,
+        &self, slip: &PatchSlip<T>, creepage: &Creepage<T>, x: F,
     ) -> Seen<T> {
         let Self { zone, linear, flexibilities, .. } = self;
         let (seen, shift) = seen_by(zone, linear, slip, creepage, x);
@@ -64,9 +61,7 @@ impl<F: Float> ZoneLaw<F> {
 /// the other models do not take its room on the stack.)
 #[inline(never)]
 pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
-    view: &PatchView<F>,
-    slip: &PatchSlip<T>,
-    visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+    view: &PatchView<F>, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
 ) {
     let QuadratureScale { area, lever } = view.quadrature();
     let (mut known, mut last): (Option<ZoneLaw<F>>, Option<Seen<T>>) = (None, None);
@@ -134,11 +129,8 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
 
 /// Creepage of a zone's ellipse at `x` on its middle line, and the part that pressure adds.
 pub(super) fn seen_by<T: Number>(
-    zone: &Zone<T::Base>,
-    linear: &LinearCoefficients<T::Base>,
-    slip: &PatchSlip<T>,
-    creepage: &Creepage<T>,
-    x: T::Base,
+    zone: &Zone<T::Base>, linear: &LinearCoefficients<T::Base>, slip: &PatchSlip<T>,
+    creepage: &Creepage<T>, x: T::Base,
 ) -> (Creepage<T>, T) {
     let creepage = creepage_at(creepage, x, zone.y);
     let seen = mismatch::seen(&zone.contact, linear, &creepage, slip.pressure);

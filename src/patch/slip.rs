@@ -28,10 +28,7 @@ pub(super) struct Share<T: Number> {
 impl<T: Number<Base: Float>> Share<T> {
     /// From forces divided by the friction bound, and the moment about the centre in half lengths.
     pub fn new(
-        strip: &PatchStrip<T::Base>,
-        carried: &StripForces<T>,
-        stick: T::Base,
-        adheres: bool,
+        strip: &PatchStrip<T::Base>, carried: &StripForces<T>, stick: T::Base, adheres: bool,
     ) -> Self {
         let bound = strip.friction_bound();
         let StripForces { fx, fy, mx, .. } = *carried;
@@ -43,10 +40,7 @@ impl<T: Number<Base: Float>> Share<T> {
 
     /// The same of a strip with the creepage of the patch, that which pressure adds, and its own.
     pub fn on(
-        mut self,
-        strip: &PatchStrip<T::Base>,
-        shift: T,
-        own: Option<&Creepage<T::Base>>,
+        mut self, strip: &PatchStrip<T::Base>, shift: T, own: Option<&Creepage<T::Base>>,
     ) -> Self {
         self.besides = self.fx * shift;
         if let Some(own) = own {
@@ -134,10 +128,7 @@ pub(super) struct ZoneSplit<T: Number> {
 impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
     /// For the creepage of the ellipse at `x` on its middle line.
     pub fn new(
-        zone: &Zone<F>,
-        linear: &LinearCoefficients<F>,
-        seen: &Creepage<T>,
-        x: F,
+        zone: &Zone<F>, linear: &LinearCoefficients<F>, seen: &Creepage<T>, x: F,
         behind: &Interface<T>,
     ) -> Self {
         let Contact { a, b, friction, .. } = zone.contact;
@@ -151,9 +142,7 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
 
     /// For a creepage at the origin, in the theory of 1967; also the creepage of the ellipse.
     pub fn of_zone(
-        zone: &Zone<F>,
-        creepage: &Creepage<T>,
-        behind: &Interface<T>,
+        zone: &Zone<F>, creepage: &Creepage<T>, behind: &Interface<T>,
     ) -> (Self, Creepage<T>) {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
@@ -232,9 +221,7 @@ impl<F: Float> ZoneSplit<F> {
 
 /// Rigid slip at the point `(x, y)` as creepage of a contact there: `(υx − φ y, υy + φ x, φ)`.
 pub(crate) fn creepage_at<T: Number>(
-    creepage: &Creepage<T>,
-    x: T::Base,
-    y: T::Base,
+    creepage: &Creepage<T>, x: T::Base, y: T::Base,
 ) -> Creepage<T> {
     let Creepage { longitudinal, lateral, spin } = *creepage;
     Creepage { longitudinal: longitudinal - spin.scale(y), lateral: lateral + spin.scale(x), spin }
@@ -242,9 +229,7 @@ pub(crate) fn creepage_at<T: Number>(
 
 /// Creepage of the patch at a strip: with that which is `own` at the strip's centre.
 pub(super) fn seen_from<T: Number>(
-    creepage: &Creepage<T>,
-    strip: &PatchStrip<T::Base>,
-    own: Option<&Creepage<T::Base>>,
+    creepage: &Creepage<T>, strip: &PatchStrip<T::Base>, own: Option<&Creepage<T::Base>>,
 ) -> Creepage<T> {
     let Some(own) = own else { return *creepage };
     let at_origin = creepage_at(own, -strip.centre_x, -strip.y);

@@ -55,9 +55,7 @@ pub(super) struct Problem<'a, F> {
 
 impl<'a, F: Float> Problem<'a, F> {
     pub(super) fn new(
-        view: &'a PatchView<'a, F>,
-        creepage: &'a Creepage<F>,
-        model: Model,
+        view: &'a PatchView<'a, F>, creepage: &'a Creepage<F>, model: Model,
     ) -> Result<Self, Error> {
         creepage.check()?;
         let has_strips = model != Model::Linear && (model != Model::Total || view.own.is_empty());
@@ -111,9 +109,7 @@ impl<'a, F: Float> Problem<'a, F> {
 
     /// Passes the forces of every strip to `visit`.
     pub(super) fn shares<T: Number<Base = F>>(
-        &self,
-        slip: &PatchSlip<T>,
-        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+        &self, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         if Model::HAS_STRIP && self.model == Model::Strip {
             strip_shares(self.view, slip, visit);
@@ -139,9 +135,7 @@ impl<'a, F: Float> Problem<'a, F> {
 
     /// Kalker's parameters in units of a strip.
     fn parameters<T: Number<Base = F>>(
-        &self,
-        strip: &PatchStrip<F>,
-        creepage: &Creepage<T>,
+        &self, strip: &PatchStrip<F>, creepage: &Creepage<T>,
     ) -> Parameters<T> {
         let circle = strip.circle(self.view.shear_modulus(), self.view.poisson_ratio());
         Parameters::new(&circle, &creepage_at(creepage, strip.centre_x, strip.y))
@@ -149,9 +143,7 @@ impl<'a, F: Float> Problem<'a, F> {
 
     /// A strip in the theory of 1967, its half length one.
     pub fn theory<T: Number<Base = F>>(
-        &self,
-        strip: &PatchStrip<F>,
-        creepage: &Creepage<T>,
+        &self, strip: &PatchStrip<F>, creepage: &Creepage<T>,
     ) -> Strip<T> {
         let rule = sliding_rule(self.model);
         let Parameters { xi, eta, psi, poisson_ratio, .. } = self.parameters(strip, creepage);
@@ -160,9 +152,7 @@ impl<'a, F: Float> Problem<'a, F> {
 
     #[inline(never)]
     fn theory_share<T: Number<Base = F>>(
-        &self,
-        strip: &PatchStrip<F>,
-        creepage: &Creepage<T>,
+        &self, strip: &PatchStrip<F>, creepage: &Creepage<T>,
     ) -> Share<T> {
         let solved = self.theory(strip, creepage);
         let (fx, fy) = solved.force();
@@ -177,9 +167,7 @@ impl<'a, F: Float> Problem<'a, F> {
     /// Every strip's share of the forces of the ellipse of its zone.
     #[inline(never)]
     fn elliptic_shares<T: Number<Base = F>>(
-        &self,
-        slip: &PatchSlip<T>,
-        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+        &self, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
     ) {
         let mut solved: Option<(Zone<F>, ZoneTotals<T>)> = None;
         let all = self.view.lobes_and_zones().flat_map(|(first, lobe, of_lobe)| {
@@ -248,9 +236,7 @@ impl<F: Float> Problem<'_, F> {
 
     /// The sums, while every share is passed to `visit`.
     fn sums<T: Number<Base = F>>(
-        &self,
-        slip: &PatchSlip<T>,
-        mut visit: impl FnMut(&PatchStrip<F>, &Share<T>),
+        &self, slip: &PatchSlip<T>, mut visit: impl FnMut(&PatchStrip<F>, &Share<T>),
     ) -> PatchSums<T> {
         let (mut forces, mut besides) = ([T::zero(); 3], T::zero());
         let (mut stick, mut whole) = (F::zero(), F::zero());
@@ -375,9 +361,7 @@ impl<F: Float> Problem<'_, F> {
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn solve_patch<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
+    patch: &PatchView<F>, creepage: &Creepage<F>, model: Model,
 ) -> Result<Solution<F>, Error> {
     Ok(Problem::new(patch, creepage, model)?.solution())
 }
@@ -387,9 +371,7 @@ pub fn solve_patch<F: Float>(
 /// # Errors
 /// Those of [`solve_patch`]; [`Error::Overflow`] also when a derivative is too large.
 pub fn patch_jacobian<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
+    patch: &PatchView<F>, creepage: &Creepage<F>, model: Model,
 ) -> Result<(Solution<F>, Matrix3<F>), Error> {
     let ((solution, slopes, _), _) = Problem::new(patch, creepage, model)?.with_slopes()?;
     // nalgebra's index order is by columns.
@@ -402,9 +384,7 @@ pub fn patch_jacobian<F: Float>(
 /// # Errors
 /// Those of [`solve_patch`]; [`Error::NotInModel`] for [`Model::Total`].
 pub fn patch_strips<F: Float>(
-    patch: &PatchView<F>,
-    creepage: &Creepage<F>,
-    model: Model,
+    patch: &PatchView<F>, creepage: &Creepage<F>, model: Model,
     visit: &mut impl FnMut(StripResult<F>),
 ) -> Result<Warning, Error> {
     Error::NotInModel.unless(model != Model::Total)?;

@@ -90,9 +90,7 @@ impl<F: Float> Patch<F> {
     /// [`Error::PatchSize`] when there are more than [`KSTRIP_PATCH_CAPACITY`], else those of
     /// [`PatchView::new`].
     pub fn from_strips(
-        strips: &[PatchStrip<F>],
-        shear_modulus: F,
-        poisson_ratio: F,
+        strips: &[PatchStrip<F>], shear_modulus: F, poisson_ratio: F,
     ) -> Result<Self, Error> {
         let mut patch = Self::empty(shear_modulus, poisson_ratio);
         Error::PatchSize.unless(strips.iter().all(|strip| patch.push(*strip)))?;

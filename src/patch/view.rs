@@ -38,10 +38,7 @@ impl<'a, F: Float> PatchView<'a, F> {
     /// [`Error::StripOrder`] when strips overlap or do not ascend; [`Error::Overflow`] when a sum
     /// or the axis ratio of a lobe does not fit the floating-point type.
     pub fn new(
-        strips: &'a [PatchStrip<F>],
-        shear_modulus: F,
-        poisson_ratio: F,
-        scale: QuadratureScale<F>,
+        strips: &'a [PatchStrip<F>], shear_modulus: F, poisson_ratio: F, scale: QuadratureScale<F>,
     ) -> Result<Self, Error> {
         check_modulus(shear_modulus)?;
         check_poisson_ratio(poisson_ratio)?;

@@ -85,11 +85,7 @@ const TAKEN: f64 = 1e4;
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn creepage_for_force<F: Float>(
-    contact: &Contact<F>,
-    force: [F; 2],
-    spin: F,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
+    contact: &Contact<F>, force: [F; 2], spin: F, law: Option<&SlipFriction<F>>, options: &Options,
 ) -> Result<(Creepage<F>, Warning), Error> {
     let none = Creepage { spin, ..Creepage::default() };
     InMotion { creepage: &none, law, options }.check(contact)?;
@@ -193,10 +189,7 @@ fn rows_times<F: Float>(rows: &[[F; 2]; 2], [x, y]: [F; 2]) -> [F; 2] {
 impl<'a, F: Float> Aim<'a, F> {
     /// Of a contact with load and, unless the theory is linear, friction.
     pub(crate) fn new(
-        contact: &'a Contact<F>,
-        target: [F; 2],
-        spin: F,
-        law: Option<&'a SlipFriction<F>>,
+        contact: &'a Contact<F>, target: [F; 2], spin: F, law: Option<&'a SlipFriction<F>>,
         options: &'a Options,
     ) -> Self {
         let saturates = options.model != Model::Linear;
@@ -348,10 +341,7 @@ impl<'a, F: Float> Aim<'a, F> {
 /// along the way back to the place before: the cubics along this way have the errors and the slopes
 /// of both places. None where it is far from the plain step.
 fn bent<F: Float>(
-    place: &Iterate<F>,
-    before: &Iterate<F>,
-    plain: [F; 2],
-    solve: impl Fn([F; 2]) -> [F; 2],
+    place: &Iterate<F>, before: &Iterate<F>, plain: [F; 2], solve: impl Fn([F; 2]) -> [F; 2],
 ) -> Option<[F; 2]> {
     let less = |[a, b]: [F; 2], [c, d]: [F; 2]| [a - c, b - d];
     let back = less(before.at, place.at);

@@ -120,10 +120,7 @@ pub type Fitted = [bool; 6];
 /// [`Error::Weight`], [`Error::FewPoints`], [`Error::FitParameters`]. Errors of the contact and the
 /// law have the count of the points instead of a number.
 pub fn fit_friction<F: Float>(
-    contact: &Contact<F>,
-    points: &[MeasuredForce<F>],
-    start: &SlipFriction<F>,
-    fitted: Fitted,
+    contact: &Contact<F>, points: &[MeasuredForce<F>], start: &SlipFriction<F>, fitted: Fitted,
     options: &Options,
 ) -> Result<FrictionFit<F>, (usize, Error)> {
     Fit::new(contact, points, start, fitted, options)?.find()
@@ -209,11 +206,8 @@ fn with_parameters<F: Float>(law: &SlipFriction<F>, of: Vector6<F>) -> SlipFrict
 
 impl<'a, F: Float> Fit<'a, F> {
     fn new(
-        contact: &'a Contact<F>,
-        points: &'a [MeasuredForce<F>],
-        start: &SlipFriction<F>,
-        fitted: Fitted,
-        options: &'a Options,
+        contact: &'a Contact<F>, points: &'a [MeasuredForce<F>], start: &SlipFriction<F>,
+        fitted: Fitted, options: &'a Options,
     ) -> Result<Self, (usize, Error)> {
         let all = points.len();
         let of_all = |result: Result<(), Error>| result.map_err(|error| (all, error));

@@ -64,12 +64,8 @@ const ROUNDINGS: f64 = 32.0;
 /// # Ok::<(), kstrip::status::Error>(())
 /// ```
 pub fn estimate_friction<F: Float>(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: &Options,
-    measured: Measured,
-    force: [F; 2],
+    contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>, options: &Options,
+    measured: Measured, force: [F; 2],
 ) -> Result<FrictionEstimate<F>, Error> {
     Rig::new(contact, creepage, law, options, measured, force)?.estimate(force)
 }
@@ -95,12 +91,8 @@ pub(crate) struct Rig<'a, F> {
 impl<'a, F: Float> Rig<'a, F> {
     /// Checks all inputs.
     pub(crate) fn new(
-        contact: &Contact<F>,
-        creepage: &'a Creepage<F>,
-        law: Option<&'a SlipFriction<F>>,
-        options: &'a Options,
-        measured: Measured,
-        [fx, fy]: [F; 2],
+        contact: &Contact<F>, creepage: &'a Creepage<F>, law: Option<&'a SlipFriction<F>>,
+        options: &'a Options, measured: Measured, [fx, fy]: [F; 2],
     ) -> Result<Self, Error> {
         Error::NotInModel.unless(options.model != Model::Linear)?;
         Error::NotFinite.unless(are_finite(&[fx, fy]))?;

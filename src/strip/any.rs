@@ -25,8 +25,7 @@ const SLOPES: usize = 3;
 /// The forces of eight strips. Each has a weight of the inner strips' nodes, 0 to 1.
 #[inline(never)]
 pub fn eight_strips<T: Number>(
-    seen: &[(StripCreepage<T>, T); 8],
-    inner: [T::Base; 8],
+    seen: &[(StripCreepage<T>, T); 8], inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
     // One function serves all numbers of derivatives, which keeps the code small.
     if T::HAS_DERIVATIVES {
@@ -38,8 +37,7 @@ pub fn eight_strips<T: Number>(
 
 /// The forces of eight strips, computed one after the other: the reference for the tests.
 pub fn eight_one_by_one<T: Number>(
-    seen: &[(StripCreepage<T>, T); 8],
-    inner: [T::Base; 8],
+    seen: &[(StripCreepage<T>, T); 8], inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
     if T::HAS_DERIVATIVES {
         carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, SLOPES>)
@@ -50,8 +48,7 @@ pub fn eight_one_by_one<T: Number>(
 
 #[inline]
 fn carried<T: Number, const ROWS: usize>(
-    seen: &[(StripCreepage<T>, T); 8],
-    inner: [T::Base; 8],
+    seen: &[(StripCreepage<T>, T); 8], inner: [T::Base; 8],
     forces: impl Fn(&StripColumns<T::Base>, &mut ForcesAndSlopes<T::Base, ROWS>),
 ) -> [StripForces<T>; 8] {
     let all = |of: fn(&(StripCreepage<T>, T)) -> T| seen.each_ref().map(|own| of(own).value());
@@ -92,8 +89,7 @@ fn carried<T: Number, const ROWS: usize>(
 const IS_SMALL: bool = cfg!(any(target_os = "none", target_family = "wasm"));
 
 fn both_kinds<F: Real, const ROWS: usize>(
-    eight: &StripColumns<F>,
-    found: &mut ForcesAndSlopes<F, ROWS>,
+    eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     let [.., inner] = eight;
     let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
@@ -126,8 +122,7 @@ fn both_kinds<F: Real, const ROWS: usize>(
 /// Forces and derivatives of strips that are each of one kind.
 #[inline(always)]
 fn of_one_kind<F: Real, P: Strips<F>, const ROWS: usize>(
-    eight: &StripColumns<F>,
-    (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
+    eight: &StripColumns<F>, (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
 ) {
     for first in (0..8).step_by(P::COUNT) {
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
@@ -153,8 +148,7 @@ fn of_one_kind<F: Real, P: Strips<F>, const ROWS: usize>(
 /// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
-    eight: &StripColumns<F>,
-    found: &mut ForcesAndSlopes<F, ROWS>,
+    eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     let zero = F::zero();
     let (carried, slopes) = found;

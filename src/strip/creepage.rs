@@ -89,10 +89,7 @@ impl<F: Real> Flexibilities<F> {
     /// or 1.
     #[inline(always)]
     pub fn new(
-        axis_ratio: F,
-        poisson_ratio: F,
-        linear: &LinearCoefficients<F>,
-        factors: [F; 2],
+        axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>, factors: [F; 2],
     ) -> Self {
         with_avx!(if F::LANES => <F: Real>(axis_ratio: F, poisson_ratio: F,
             linear: &LinearCoefficients<F>, factors: [F; 2]) -> Flexibilities<F> {
@@ -102,10 +99,7 @@ impl<F: Real> Flexibilities<F> {
 
     #[inline(always)]
     fn for_ellipse(
-        axis_ratio: F,
-        poisson_ratio: F,
-        linear: &LinearCoefficients<F>,
-        factors: [F; 2],
+        axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>, factors: [F; 2],
     ) -> Self {
         let root = axis_ratio.clamped(F::of(1.0 / RATIO_LIMIT), F::of(RATIO_LIMIT)).sqrt();
         let [stretch, _] = factors;
@@ -146,8 +140,7 @@ impl<F: Real> Flexibilities<F> {
 
     #[inline(always)]
     pub(super) fn seen<T: Number<Base = F>, P: Strips<F>>(
-        &self,
-        creepage: [T; 3],
+        &self, creepage: [T; 3],
     ) -> Distribution<T> {
         const K: f64 = 8.0 / (3.0 * PI);
         let creepage = scaled_down(creepage, F::of(CREEPAGE_LIMIT));

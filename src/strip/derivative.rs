@@ -40,10 +40,7 @@ impl<T: Arithmetic> SpinSlopes<T> {
 /// σ`, the spread and the start.
 #[inline(always)]
 pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
-    seen: &StripCreepage<P>,
-    spin: &Spin<P>,
-    constants: &impl Constants<P>,
-    by_spin: &SpinSlopes<P>,
+    seen: &StripCreepage<P>, spin: &Spin<P>, constants: &impl Constants<P>, by_spin: &SpinSlopes<P>,
 ) -> (StripForces<P>, [[P; 5]; 3]) {
     // Placeholders, overwritten when the nodes are recorded.
     let any = seen.x;
@@ -81,10 +78,7 @@ pub(super) fn forces_and_slopes<P: Arithmetic<Value = P>>(
 /// must be small.
 #[inline(never)]
 pub(super) fn alone_with_slopes<F: Real, P: Strips<F>>(
-    seen: &StripCreepage<P>,
-    spin: &Spin<P>,
-    inner: bool,
-    by_spin: &SpinSlopes<P>,
+    seen: &StripCreepage<P>, spin: &Spin<P>, inner: bool, by_spin: &SpinSlopes<P>,
 ) -> (StripForces<P>, [[P; 5]; 3]) {
     let constants = Tables::<F::Stored, _>::new(|couple: &[_; 2]| {
         let [outer, own] = *couple;
@@ -273,12 +267,8 @@ impl<P: Arithmetic<Value = P>> Adjoint<P> {
     /// From the separatrix to `A_x, A_y, σ`, the spread and the start.
     #[inline(always)]
     fn end(
-        mut self,
-        force: Force,
-        seen: &StripCreepage<P>,
-        (spin, by_spin): (&Spin<P>, &SpinSlopes<P>),
-        start: &Start<P>,
-        closed: [[P; 2]; 2],
+        mut self, force: Force, seen: &StripCreepage<P>,
+        (spin, by_spin): (&Spin<P>, &SpinSlopes<P>), start: &Start<P>, closed: [[P; 2]; 2],
     ) -> [P; 5] {
         let Separatrix { y, s, .. } = start.separatrix;
         let (zero, one, r) = (P::zero(), P::one(), spin.r);
@@ -343,10 +333,7 @@ impl<P: Arithmetic<Value = P>> Adjoint<P> {
 /// `s = s₁ + w (2 − s₁)`, `d root = (A_x dA_x + g (dA_y' + root dr))/S`, `g = A_y' + root r`.
 #[inline(always)]
 fn separatrix<P: Arithmetic>(
-    seen: &StripCreepage<P>,
-    spin: &Spin<P>,
-    found: &Separatrix<P>,
-    by_s: P,
+    seen: &StripCreepage<P>, spin: &Spin<P>, found: &Separatrix<P>, by_s: P,
 ) -> [P; 4] {
     let Separatrix { y, root, inverse_size, .. } = *found;
     let (zero, one, two) = (P::zero(), P::one(), P::constant(2.0));

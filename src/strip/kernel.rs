@@ -239,11 +239,7 @@ impl<T: Arithmetic> SlipState<T> {
     /// Goes to the next node: `p` grows with the rigid slip and is cut back to the bound.
     #[inline(always)]
     pub fn step(
-        self,
-        seen: &StripCreepage<T>,
-        spin: &Spin<T>,
-        s: T,
-        step: &Step<T>,
+        self, seen: &StripCreepage<T>, spin: &Spin<T>, s: T, step: &Step<T>,
     ) -> (Self, Traction<T>) {
         let Step { length, place, inverse_bound, soft } = *step;
         // p* = p + λ (A + σ (2 x̂ + m λ s) e_y), x̂ = s t − 1
@@ -288,9 +284,7 @@ pub(super) struct NodeState<T> {
 /// Forces of a strip; `note` receives each node.
 #[inline(always)]
 pub(super) fn forces<T: Arithmetic>(
-    seen: &StripCreepage<T>,
-    spin: &Spin<T>,
-    constants: &impl Constants<T::Value>,
+    seen: &StripCreepage<T>, spin: &Spin<T>, constants: &impl Constants<T::Value>,
     mut note: impl FnMut(usize, NodeState<T>),
 ) -> (StripForces<T>, Start<T>) {
     let separatrix = Separatrix::new(seen, spin);

@@ -61,12 +61,7 @@ impl<F: Real> LongContact<F> {
     /// p` and `psi` is `|ψ|`, rounded.
     #[inline(always)]
     pub fn long_corrections<T: Number<Base = F>, P: Strips<F>>(
-        &self,
-        shared: [T; SHARED],
-        [lx, ly, ls]: [T; 3],
-        [x2, y2, p2]: [T; 3],
-        turn: T,
-        psi: T,
+        &self, shared: [T; SHARED], [lx, ly, ls]: [T; 3], [x2, y2, p2]: [T; 3], turn: T, psi: T,
     ) -> [T; CORRECTIONS] {
         let inverse = |first: T, second: T| T::Pair::couple(first, second).inverse().parts();
         // Quotient of the rigid slip of creepage and of spin at the ends of the long axis.

@@ -78,8 +78,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub fn strip_corrections<T: Number<Base = F>, P: Strips<F>>(
-        &self,
-        inputs: [T; INPUTS],
+        &self, inputs: [T; INPUTS],
     ) -> [T; CORRECTIONS] {
         let values = inputs.iter().map(|x| x.value());
         let mut units = add_rows::<F, P, _, _>(self.start, values, self.input);
@@ -104,9 +103,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     fn moved<P: Strips<F>>(
-        &self,
-        slopes: &[F; UNITS],
-        moves: impl Iterator<Item = F> + Clone,
+        &self, slopes: &[F; UNITS], moves: impl Iterator<Item = F> + Clone,
     ) -> [F; CORRECTIONS] {
         let mut units = add_rows::<F, P, _, _>(&[F::zero(); UNITS], moves, self.input);
         for (h, slope) in units.iter_mut().zip(slopes) {
@@ -119,8 +116,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
 /// The last layer, in two chains of additions.
 #[inline(always)]
 fn last<F: Real, const UNITS: usize, const HALF: usize>(
-    units: &[F; UNITS],
-    start: [F; CORRECTIONS],
+    units: &[F; UNITS], start: [F; CORRECTIONS],
     [of_evens, of_odds]: [&[[F::Stored; CORRECTIONS]; HALF]; 2],
 ) -> [F; CORRECTIONS] {
     let (mut sums, mut others) = (start, [F::zero(); CORRECTIONS]);

@@ -36,10 +36,7 @@ impl<F: Real> EllipseStrips<F> {
     /// `axis_ratio` is `a/b`, `linear` the coefficients for it.
     #[inline(always)]
     pub fn new(
-        axis_ratio: F,
-        poisson_ratio: F,
-        linear: &LinearCoefficients<F>,
-        count: StripCount,
+        axis_ratio: F, poisson_ratio: F, linear: &LinearCoefficients<F>, count: StripCount,
     ) -> Self {
         let rule = Rule::new(count);
         let factors = [F::stored(rule.stretch), F::stored(rule.lever)];
@@ -93,8 +90,7 @@ impl<F: Real> EllipseStrips<F> {
     /// derivatives.
     #[inline(always)]
     fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
-        &self,
-        law: &Distribution<T>,
+        &self, law: &Distribution<T>,
     ) -> Totals<T> {
         let [values, by_x, by_y, by_z] = if T::HAS_DERIVATIVES {
             self.sums::<Q, SLOPES>(&law.without_derivatives())
@@ -122,8 +118,7 @@ impl<F: Real> EllipseStrips<F> {
     /// stack short: it needs no room while the creepages of the strips are computed.)
     #[inline(always)]
     pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
-        &self,
-        law: &Distribution<F>,
+        &self, law: &Distribution<F>,
     ) -> Rows<F, ROWS> {
         if cfg!(target_os = "none") {
             self.sums_apart::<P, ROWS>(law)
@@ -183,8 +178,7 @@ impl<F: Real> EllipseStrips<F> {
     /// belongs without a place of its own.
     #[inline(always)]
     fn one_by_one<P: Strips<F>, const ROWS: usize>(
-        &self,
-        strips: &CommonCreepage<P>,
+        &self, strips: &CommonCreepage<P>,
     ) -> Rows<P, ROWS> {
         // (The compiler would write zeros that it foresees by a call.)
         let [x, ..] = strips.law;
@@ -220,10 +214,7 @@ impl<F: Real> EllipseStrips<F> {
     /// Adds the strips of some fours, from this lane on, to the sums.
     #[inline(always)]
     fn add_strips<P: Strips<F>, const ROWS: usize>(
-        &self,
-        strips: &CommonCreepage<P>,
-        group: &[FourStrips<F::Stored>],
-        lane: usize,
+        &self, strips: &CommonCreepage<P>, group: &[FourStrips<F::Stored>], lane: usize,
         sums: &mut Rows<P, ROWS>,
     ) {
         let constants = Tables::<F::Stored, _>::new(|couple: &[F::Stored; 2]| {
@@ -306,9 +297,7 @@ impl<F: Real> EllipseStrips<F> {
 /// Forces of one strip.
 #[inline(never)]
 pub(crate) fn alone<T: Arithmetic<Value: Real>>(
-    seen: &StripCreepage<T>,
-    spin: &Spin<T>,
-    inner: bool,
+    seen: &StripCreepage<T>, spin: &Spin<T>, inner: bool,
 ) -> StripForces<T> {
     let constants = Tables::<<T::Value as Real>::Stored, _>::new(|couple: &[_; 2]| {
         of_lane::<T::Value>(couple, usize::from(inner))
@@ -367,9 +356,7 @@ impl<P: Arithmetic<Value = P>> CommonCreepage<P> {
 /// f_y, m_x` with respect to the creepages of the strips.
 #[inline(always)]
 pub(super) fn by_law<P: Arithmetic>(
-    [x, y, mut z]: [[P; 5]; 3],
-    fields: &[P; STRIP_FIELDS],
-    [root, upright]: [P; 2],
+    [x, y, mut z]: [[P; 5]; 3], fields: &[P; STRIP_FIELDS], [root, upright]: [P; 2],
 ) -> [[P; 6]; 3] {
     let [at, inverse, bend, load, load_c, load_y, _, width] = *fields;
     // Mz = ∫ (x Y − y X): lever arms √(a/b) C x̂ and √(b/a) Y
@@ -418,9 +405,7 @@ fn within_bound<T: Number>([x, y]: [T; 2]) -> [T; 2] {
 /// 1`, all of it is scaled down.
 #[inline(always)]
 pub fn power_projected<T: Number>(
-    totals: Totals<T>,
-    creepage: [T; 3],
-    linear: &LinearCoefficients<T::Base>,
+    totals: Totals<T>, creepage: [T; 3], linear: &LinearCoefficients<T::Base>,
 ) -> Totals<T> {
     let [vx, vy, phi] = creepage;
     let [kx, ky, ks] = [vx.scale(linear.c11), vy.scale(linear.c22), phi.scale(linear.c33)];

@@ -23,9 +23,7 @@ const GAUSS_16: [[f64; 2]; 8] = [
 /// Strips that slide, below and above those that adhere.
 #[inline(always)]
 pub(super) fn sliding<T: Number>(
-    motion: &ReducedCreepage<T>,
-    lower: [Edge<T>; 2],
-    upper: [Edge<T>; 2],
+    motion: &ReducedCreepage<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2],
 ) -> Shares<T> {
     let [fx, fy, lever] = match motion.rule {
         SlidingRule::RigidSlip => forces_of_slip(
@@ -113,9 +111,7 @@ fn forces_of_slip<T: Number>(motion: &ReducedCreepage<T>, from: Both<T>, to: Bot
 /// that adhere, where the direction turns.
 #[inline(always)]
 fn continuous<T: Number>(
-    motion: &ReducedCreepage<T>,
-    lower: [Edge<T>; 2],
-    upper: [Edge<T>; 2],
+    motion: &ReducedCreepage<T>, lower: [Edge<T>; 2], upper: [Edge<T>; 2],
 ) -> [T; 3] {
     let ReducedCreepage { xi, eta, psi, slope: p, .. } = *motion;
     let both = T::Pair::both;

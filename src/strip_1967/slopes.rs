@@ -11,10 +11,7 @@ use crate::strip_1967::strip::SlidingRule;
 /// `∫ C K dY` with its derivatives. Those with respect to the ends correct the error of the nodes.
 #[inline(always)]
 pub(super) fn stretch_with_slopes<T: Number>(
-    motion: &ReducedCreepage<T>,
-    arc: &Arc<T>,
-    [parting, level]: [T; 2],
-    pieces: &Pieces<T::Base>,
+    motion: &ReducedCreepage<T>, arc: &Arc<T>, [parting, level]: [T; 2], pieces: &Pieces<T::Base>,
     stretch: T::Base,
 ) -> T {
     let ReducedCreepage { eta, psi, slope: p, .. } = motion.values();
@@ -72,10 +69,7 @@ pub(super) fn stretch_with_slopes<T: Number>(
 /// Those of `u/D` and `ε/D` are `(ε², −u ε)` and `(−u ε, u²)` over `D³`, with `N_n = ∫ uⁿ/D³ du`.
 #[inline]
 pub(super) fn slip_with_slopes<F: Real>(
-    [h, e, e2]: [F; 3],
-    [u1, u2, d1, d2]: [F::Pair; 4],
-    [j0, j1, j2]: [F; 3],
-    by: [F; 2],
+    [h, e, e2]: [F; 3], [u1, u2, d1, d2]: [F::Pair; 4], [j0, j1, j2]: [F; 3], by: [F; 2],
 ) -> [[F; 2]; 3] {
     let e2n0 = (u1 / d1 - u2 / d2).sum();
     let n1 = (d2.inverse() - d1.inverse()).sum();

@@ -139,10 +139,7 @@ pub fn adhesion_length<T: Number>(xi_bar: T, eta: T, psi: T) -> Option<T> {
 /// one, with these: `[κ/a, K, ξ̄, η]`. `None` for a strip that slides.
 #[inline]
 pub(super) fn adhesion_regime<T: Number>(
-    half_length: T,
-    xi_bar: T,
-    eta: T,
-    psi: T,
+    half_length: T, xi_bar: T, eta: T, psi: T,
 ) -> Option<[T; 4]> {
     // α and β + ψ do not change when ξ̄ and η are scaled together; κ scales with them. Solving
     // at size one keeps squares of tiny creepages from underflowing.
@@ -179,12 +176,7 @@ impl<T: Number> Strip<T> {
     /// Solve a strip of half width `half_length > 0`.
     #[must_use]
     pub fn solve(
-        half_length: T,
-        xi_bar: T,
-        eta: T,
-        psi: T,
-        poisson_ratio: T::Base,
-        rule: SlidingRule,
+        half_length: T, xi_bar: T, eta: T, psi: T, poisson_ratio: T::Base, rule: SlidingRule,
     ) -> Self {
         let spin = spin_within(psi);
         let regime = Self::adhesion(half_length, xi_bar, eta, spin)
@@ -199,12 +191,7 @@ impl<T: Number> Strip<T> {
     }
 
     fn sliding(
-        half_length: T,
-        xi_bar: T,
-        eta: T,
-        psi: T,
-        poisson_ratio: T::Base,
-        rule: SlidingRule,
+        half_length: T, xi_bar: T, eta: T, psi: T, poisson_ratio: T::Base, rule: SlidingRule,
     ) -> Regime<T> {
         let (direction_x, direction_y) = match rule {
             SlidingRule::RigidSlip => {

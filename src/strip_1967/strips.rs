@@ -43,9 +43,7 @@ pub struct PlacedStrip<T> {
 
 /// Every strip, handed to `visit`, ascending in `y`.
 pub fn visit_strips<F: Float>(
-    parameters: &Parameters<F>,
-    rule: SlidingRule,
-    count: StripCount,
+    parameters: &Parameters<F>, rule: SlidingRule, count: StripCount,
     visit: &mut dyn FnMut(PlacedStrip<F>),
 ) {
     let Parameters { xi, eta, psi, axis_ratio, .. } = *parameters;
@@ -105,10 +103,7 @@ pub fn visit_strips<F: Float>(
 /// The forces of the strips between two edges: those that slide below and above the arc, and those
 /// on the arc.
 fn forces_between<F: Float>(
-    motion: &ReducedCreepage<F>,
-    arc: &Arc<F>,
-    from: Edge<F>,
-    to: Edge<F>,
+    motion: &ReducedCreepage<F>, arc: &Arc<F>, from: Edge<F>, to: Edge<F>,
 ) -> Shares<F> {
     let (lower, upper) = if arc.lower.y > to.y || arc.upper.y < from.y {
         (to, to)
@@ -188,9 +183,7 @@ fn artanh_quotient<F: Float>(t2: F) -> F {
 
 /// `f_x = ξ̄ (2C − K)`, `f_y = ψ C² + η (2C − K)`, `m_x = −η (C − K)²` with `K` of the middle.
 fn adhering_between<F: Float>(
-    motion: &ReducedCreepage<F>,
-    from: Edge<F>,
-    to: Edge<F>,
+    motion: &ReducedCreepage<F>, from: Edge<F>, to: Edge<F>,
 ) -> Shares<F> {
     let ReducedCreepage { xi, eta, psi, slope, .. } = *motion;
     let (width, drop) = (to.y - from.y, to.c - from.c);

@@ -32,8 +32,7 @@ impl<F: Real> TotalNetwork<F> {
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub(super) fn total_corrections<T: Number<Base = F>, P: Strips<F>>(
-        &self,
-        inputs: [T; INPUTS],
+        &self, inputs: [T; INPUTS],
     ) -> [T; 6] {
         let first = table!(F, couples_as_rows(&FIRST));
         let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
@@ -59,9 +58,7 @@ impl<F: Real> TotalNetwork<F> {
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
 fn moved<F: Real, P: Strips<F>>(
-    moves: impl Iterator<Item = F> + Clone,
-    slopes_1: &[F; UNITS_1],
-    slopes_2: &[F; UNITS_2],
+    moves: impl Iterator<Item = F> + Clone, slopes_1: &[F; UNITS_1], slopes_2: &[F; UNITS_2],
 ) -> [F; 6] {
     let first = table!(F, couples_as_rows(&FIRST));
     let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));

@@ -123,10 +123,7 @@ impl<F: Float> Scene<'_, F> {
     /// Those of [`Scene::solve`]; [`Error::Support`] for a force that is not positive;
     /// [`Error::ProfileEnd`] where the contact reaches the end of a profile with less force.
     pub fn height_for_load(
-        &self,
-        position: &Position<F>,
-        support: F,
-        velocity: Option<&Velocity<F>>,
+        &self, position: &Position<F>, support: F, velocity: Option<&Velocity<F>>,
         memory: &mut Workspace<F>,
     ) -> Result<(F, Warning), Error> {
         let found = self.find_height(position, support, velocity, memory);
@@ -136,10 +133,7 @@ impl<F: Float> Scene<'_, F> {
     }
 
     fn find_height(
-        &self,
-        position: &Position<F>,
-        support: F,
-        velocity: Option<&Velocity<F>>,
+        &self, position: &Position<F>, support: F, velocity: Option<&Velocity<F>>,
         memory: &mut Workspace<F>,
     ) -> Result<(F, Warning), Error> {
         Error::NotFinite.unless(support.is_finite_number())?;
@@ -243,12 +237,7 @@ impl<F: Float> Scene<'_, F> {
     /// # Errors
     /// [`Error::ProfileEnd`] if there is none within a length; those of [`Scene::place`].
     fn below_edge(
-        &self,
-        from: F,
-        mut step: F,
-        length: F,
-        position: &Position<F>,
-        memory: &mut Workspace<F>,
+        &self, from: F, mut step: F, length: F, position: &Position<F>, memory: &mut Workspace<F>,
     ) -> Result<F, Error> {
         let mut here = from;
         while here < from + length {
@@ -274,10 +263,7 @@ impl<F: Float> Scene<'_, F> {
     /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;
     /// and the derivative of the latter with respect to the vertical position.
     fn support(
-        &self,
-        position: &Position<F>,
-        velocity: Option<&Velocity<F>>,
-        memory: &mut Workspace<F>,
+        &self, position: &Position<F>, velocity: Option<&Velocity<F>>, memory: &mut Workspace<F>,
     ) -> Result<[F; 2], Error> {
         let force = match velocity {
             Some(velocity) => {

@@ -17,8 +17,7 @@ pub(super) fn is_single<F: Float>() -> bool {
 
 /// Central differences of a wrench over a step.
 fn differences<F: Float>(
-    step: F,
-    mut at: impl FnMut(F) -> Result<Wrench<F>, Error>,
+    step: F, mut at: impl FnMut(F) -> Result<Wrench<F>, Error>,
 ) -> Result<[F; 6], Error> {
     let mut slopes = at(step)?.members();
     for (slope, behind) in slopes.iter_mut().zip(at(-step)?.members()) {
@@ -72,9 +71,7 @@ impl<'a, F: Float> Scene<'a, F> {
     /// # Errors
     /// Those of [`GapSearch::gap`](super::touch::GapSearch::gap) and [`contacts::from_gap`].
     pub fn place(
-        &self,
-        position: &Position<F>,
-        memory: &mut Workspace<F>,
+        &self, position: &Position<F>, memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
         let Self { wheel, pair, strips, .. } = *self;
         let Workspace { gap, strips: whole, contacts, count, reserved } = memory;
@@ -88,9 +85,7 @@ impl<'a, F: Float> Scene<'a, F> {
     }
 
     pub(super) fn wrench(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
         by_velocity: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
         let placed = self.place(&state.position, memory)?;
@@ -106,9 +101,7 @@ impl<'a, F: Float> Scene<'a, F> {
     /// # Errors
     /// Those of [`Scene::place`] and [`wrench::of_contacts`].
     pub fn solve(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
     ) -> Result<Wrench<F>, Error> {
         self.differentiate(state, memory, Requested { by_velocity: None, by_position: None })
     }
@@ -118,9 +111,7 @@ impl<'a, F: Float> Scene<'a, F> {
     /// # Errors
     /// Those of [`Scene::solve`].
     pub fn differentiate(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
         requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         let found = self.differentiated(state, memory, requested);
@@ -128,9 +119,7 @@ impl<'a, F: Float> Scene<'a, F> {
     }
 
     fn differentiated(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
         requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         let with_warning = |found: Wrench<F>, memory: &Workspace<F>| {
@@ -168,9 +157,7 @@ impl<'a, F: Float> Scene<'a, F> {
 
     /// Central differences with respect to the place of a roller's axis; zero for a straight rail.
     pub(crate) fn by_rail_ahead(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
     ) -> Result<[F; 6], Error> {
         if self.pair.rail_radius <= F::zero() {
             return Ok([F::zero(); 6]);

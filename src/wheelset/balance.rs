@@ -107,9 +107,7 @@ impl<F: Float> Loaded<'_, '_, F> {
     /// Derivatives of the rest, row by row: with respect to the height of the right wheel, that of
     /// the left wheel, and the pitch rate.
     fn slopes_of_rest(
-        &self,
-        by_velocity: &WheelsetDerivatives<F>,
-        by_position: &WheelsetByPosition<F>,
+        &self, by_velocity: &WheelsetDerivatives<F>, by_position: &WheelsetByPosition<F>,
     ) -> [[F; 3]; 3] {
         let scale = self.scales();
         core::array::from_fn(|i| {
@@ -185,9 +183,7 @@ impl<F: Float> Loaded<'_, '_, F> {
     /// # Errors
     /// [`Error::WheelLifted`] where no heights balance them; those of [`Wheelset::solve`].
     pub fn balanced_at(
-        &mut self,
-        state: &BodyState<F>,
-        is_exact: bool,
+        &mut self, state: &BodyState<F>, is_exact: bool,
     ) -> Result<Balance<F>, Error> {
         let first = self.at(state)?;
         self.balanced(first, is_exact)

@@ -39,10 +39,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// # Errors
     /// Those of [`GapSearch::gap`](crate::wheel_rail::touch::GapSearch::gap).
     pub fn rolling_radius_difference(
-        &self,
-        lateral: F,
-        with_roll: bool,
-        memory: &mut WheelsetWorkspace<F>,
+        &self, lateral: F, with_roll: bool, memory: &mut WheelsetWorkspace<F>,
     ) -> Result<F, Error> {
         Error::NotFinite.unless(lateral.is_finite_number())?;
         let mut here = Position { lateral, ..Position::default() };
@@ -68,10 +65,7 @@ impl<F: Float> Wheelset<'_, F> {
 
 /// Rolling radius where a wheel touches its rail, and how far it has been lowered.
 fn rolling_radius<F: Float>(
-    scene: &Scene<'_, F>,
-    side: &Side<F>,
-    position: &Position<F>,
-    memory: &mut Workspace<F>,
+    scene: &Scene<'_, F>, side: &Side<F>, position: &Position<F>, memory: &mut Workspace<F>,
 ) -> Result<(F, F), Error> {
     let first = Kinematics::new(*side, position).position();
     let mut here = first.mirrored(scene.pair.left != 0);

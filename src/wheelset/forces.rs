@@ -83,9 +83,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// # Errors
     /// Those of [`Scene::solve`].
     pub fn solve(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut WheelsetWorkspace<F>,
+        &self, state: &BodyState<F>, memory: &mut WheelsetWorkspace<F>,
     ) -> Result<WheelsetForces<F>, Error> {
         self.differentiate(state, memory, Requested { by_velocity: None, by_position: None })
     }
@@ -95,9 +93,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// # Errors
     /// Those of [`Scene::solve`].
     pub fn differentiate(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut WheelsetWorkspace<F>,
+        &self, state: &BodyState<F>, memory: &mut WheelsetWorkspace<F>,
         requested: Requested<WheelsetDerivatives<F>, WheelsetByPosition<F>>,
     ) -> Result<WheelsetForces<F>, Error> {
         let BodyState { position, velocity } = state;
@@ -145,10 +141,7 @@ impl<F: Float> Wheelset<'_, F> {
 
 /// The wrench of a wheel; adds to the derivatives what it contributes.
 fn one_wheel<F: Float>(
-    scene: &Scene<'_, F>,
-    kinematics: &Kinematics<F>,
-    own: &[F; 6],
-    memory: &mut Workspace<F>,
+    scene: &Scene<'_, F>, kinematics: &Kinematics<F>, own: &[F; 6], memory: &mut Workspace<F>,
     requested: Requested<WheelsetDerivatives<F>, WheelsetByPosition<F>>,
 ) -> Result<Wrench<F>, Error> {
     let Requested { by_velocity, by_position } = requested;
@@ -200,9 +193,7 @@ fn one_wheel<F: Float>(
 }
 
 fn add_column<F: Float>(
-    matrix: &mut [Ten<F>; KSTRIP_WHEELSET_FREEDOMS],
-    column: usize,
-    entries: &Ten<F>,
+    matrix: &mut [Ten<F>; KSTRIP_WHEELSET_FREEDOMS], column: usize, entries: &Ten<F>,
 ) {
     for (row, entry) in matrix.iter_mut().zip(entries) {
         add_at(row, column, *entry);

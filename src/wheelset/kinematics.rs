@@ -164,8 +164,7 @@ fn add_turned<F: Float>(column: [F; 6], share: F, [x, y, z]: [F; 3]) -> [F; 6] {
 
 /// `Aᵀ W`: the ten forces of a wheel's wrench.
 pub(super) fn transposed_times<F: Float>(
-    columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS],
-    wrench: &[F; 6],
+    columns: &[[F; 6]; KSTRIP_WHEELSET_FREEDOMS], wrench: &[F; 6],
 ) -> Ten<F> {
     columns.map(|column| dot(&column, wrench))
 }

@@ -72,10 +72,7 @@ impl<F: Float> Wheelset<'_, F> {
     /// wheels lifted; [`Error::ForceBeyondFriction`] for a torque that friction does not carry;
     /// those of [`Wheelset::solve`].
     pub fn settle(
-        &self,
-        start: &BodyState<F>,
-        loads: &WheelsetLoads<F>,
-        memory: &mut WheelsetWorkspace<F>,
+        &self, start: &BodyState<F>, loads: &WheelsetLoads<F>, memory: &mut WheelsetWorkspace<F>,
     ) -> Result<Settled<F>, Error> {
         let WheelsetLoads { vertical, roll, pitch } = *loads;
         Error::NotFinite.unless(are_finite(&[vertical, roll, pitch]))?;
@@ -116,10 +113,7 @@ impl<F: Float> Wheelset<'_, F> {
 
     /// The heights at which the pressure of each wheel carries a load, and the radii there.
     fn carried(
-        &self,
-        start: &Position<F>,
-        supports: [F; 2],
-        memory: &mut WheelsetWorkspace<F>,
+        &self, start: &Position<F>, supports: [F; 2], memory: &mut WheelsetWorkspace<F>,
     ) -> Result<(Position<F>, [F; 2]), Error> {
         let mut here = *start;
         let mut radii = [F::zero(); 2];

@@ -97,9 +97,7 @@ impl<F: Float> Curve<F> {
     /// # Errors
     /// [`Error::NotFinite`], [`Error::Angle`] for angles of 1 or more, [`Error::Overflow`].
     pub fn motion(
-        &self,
-        position: &Position<F>,
-        relative: &Velocity<F>,
+        &self, position: &Position<F>, relative: &Velocity<F>,
     ) -> Result<(Velocity<F>, [F; 3], Warning), Error> {
         let Self { speed, curvature, cant, gravity } = *self;
         position.check()?;

@@ -3,9 +3,7 @@
 /// Halves until the interval is `width` wide or its ends are neighbouring numbers; `is_low` says of
 /// a number whether the place lies above it.
 pub fn bisect(
-    [mut low, mut high]: [f64; 2],
-    width: f64,
-    mut is_low: impl FnMut(f64) -> bool,
+    [mut low, mut high]: [f64; 2], width: f64, mut is_low: impl FnMut(f64) -> bool,
 ) -> [f64; 2] {
     while high - low > width {
         let middle = low + 0.5 * (high - low);
@@ -20,11 +18,8 @@ pub fn bisect(
 /// The same, always into the half over which a function changes more, as long as it has values:
 /// the lower end and the values at both. Of a jump all is left, of other changes nothing.
 pub fn steepest<T: Copy>(
-    ends: [f64; 2],
-    [mut below, mut above]: [T; 2],
-    width: f64,
-    mut at: impl FnMut(f64) -> Option<T>,
-    distance: impl Fn(T, T) -> f64,
+    ends: [f64; 2], [mut below, mut above]: [T; 2], width: f64,
+    mut at: impl FnMut(f64) -> Option<T>, distance: impl Fn(T, T) -> f64,
 ) -> (f64, [T; 2]) {
     let [mut low, mut high] = ends;
     while high - low > width {

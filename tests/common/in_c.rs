@@ -19,29 +19,20 @@ pub trait InC: Float + Default {
     fn bits(self) -> u64;
     fn solve(asked: Asked<Self>, out: &mut MaybeUninit<Solution<Self>>) -> i32;
     fn prepare(
-        contact: &Contact<Self>,
-        options: &kstrip_options,
-        out: &mut MaybeUninit<Prepared<Self>>,
+        contact: &Contact<Self>, options: &kstrip_options, out: &mut MaybeUninit<Prepared<Self>>,
     ) -> i32;
     fn solve_prepared(
-        prepared: &Prepared<Self>,
-        creepage: &Creepage<Self>,
-        out: &mut MaybeUninit<Solution<Self>>,
+        prepared: &Prepared<Self>, creepage: &Creepage<Self>, out: &mut MaybeUninit<Solution<Self>>,
     ) -> i32;
     /// # Safety
     /// Outputs are NULL or places.
     unsafe fn evaluate(
-        asked: Asked<Self>,
-        law: Option<&SlipFriction<Self>>,
-        to: &Outputs<Self>,
+        asked: Asked<Self>, law: Option<&SlipFriction<Self>>, to: &Outputs<Self>,
     ) -> i32;
     /// # Safety
     /// Inputs and outputs are NULL or have so many elements.
     unsafe fn batch(
-        from: &BatchInputs<Self>,
-        count: usize,
-        options: &kstrip_options,
-        to: &BatchOutputs<Self>,
+        from: &BatchInputs<Self>, count: usize, options: &kstrip_options, to: &BatchOutputs<Self>,
         bad: Option<&mut MaybeUninit<u32>>,
     ) -> i32;
     /// # Safety
@@ -64,41 +55,31 @@ macro_rules! in_c {
                 $functions::kstrip_solve(Some(c), Some(m), Some(o), Some(out))
             }
             fn prepare(
-                contact: &Contact<Self>,
-                options: &kstrip_options,
+                contact: &Contact<Self>, options: &kstrip_options,
                 out: &mut MaybeUninit<Prepared<Self>>,
             ) -> i32 {
                 $functions::kstrip_prepare(Some(contact), Some(options), Some(out))
             }
             fn solve_prepared(
-                prepared: &Prepared<Self>,
-                creepage: &Creepage<Self>,
+                prepared: &Prepared<Self>, creepage: &Creepage<Self>,
                 out: &mut MaybeUninit<Solution<Self>>,
             ) -> i32 {
                 $functions::kstrip_solve_prepared(Some(prepared), Some(creepage), Some(out))
             }
             unsafe fn evaluate(
-                (c, m, o): Asked<Self>,
-                law: Option<&SlipFriction<Self>>,
-                to: &Outputs<Self>,
+                (c, m, o): Asked<Self>, law: Option<&SlipFriction<Self>>, to: &Outputs<Self>,
             ) -> i32 {
                 unsafe { $functions::kstrip_evaluate(Some(c), Some(m), law, Some(o), Some(to)) }
             }
             unsafe fn batch(
-                from: &BatchInputs<Self>,
-                count: usize,
-                options: &kstrip_options,
-                to: &BatchOutputs<Self>,
-                bad: Option<&mut MaybeUninit<u32>>,
+                from: &BatchInputs<Self>, count: usize, options: &kstrip_options,
+                to: &BatchOutputs<Self>, bad: Option<&mut MaybeUninit<u32>>,
             ) -> i32 {
                 let (from, options, to) = (Some(from), Some(options), Some(to));
                 unsafe { $functions::kstrip_evaluate_batch(from, count as u32, options, to, bad) }
             }
             unsafe fn field(
-                (c, m, o): Asked<Self>,
-                x: &[Self],
-                y: &[Self],
-                to: *mut FieldPoint<Self>,
+                (c, m, o): Asked<Self>, x: &[Self], y: &[Self], to: *mut FieldPoint<Self>,
             ) -> i32 {
                 let (c, m, o) = (Some(c), Some(m), Some(o));
                 let (columns, rows) = (x.len() as u32, y.len() as u32);

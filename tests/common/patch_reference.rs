@@ -166,10 +166,7 @@ impl Case {
 
     /// Under friction that falls with the slip, or not.
     pub fn errors_under(
-        &self,
-        patch: &Full,
-        law: Option<&SlipFriction<f64>>,
-        model: Model,
+        &self, patch: &Full, law: Option<&SlipFriction<f64>>, model: Model,
     ) -> Errors {
         let view = patch.view().unwrap();
         let bound = self.friction * self.load;
@@ -262,9 +259,7 @@ pub fn real() -> Vec<Case> {
 
 /// The cases of a table of motions: the first row of each makes it.
 fn grouped<T>(
-    file: &str,
-    make: impl Fn(&Row) -> T,
-    motions: impl Fn(&mut T) -> (&str, &mut Vec<Motion>),
+    file: &str, make: impl Fn(&Row) -> T, motions: impl Fn(&mut T) -> (&str, &mut Vec<Motion>),
 ) -> Vec<T> {
     let mut cases: Vec<T> = Vec::new();
     for row in rows(file) {

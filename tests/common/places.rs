@@ -43,8 +43,7 @@ pub fn batch_from<F>(mut quantity: impl FnMut(usize) -> (*const F, isize)) -> Ba
 
 /// Inputs of a batch that lie in arrays of structures.
 pub fn batch_inputs<F>(
-    contacts: *const Contact<F>,
-    creepages: *const Creepage<F>,
+    contacts: *const Contact<F>, creepages: *const Creepage<F>,
 ) -> BatchInputs<F> {
     let contact = size_of::<Contact<F>>() as isize;
     let creepage = size_of::<Creepage<F>>() as isize;
@@ -62,9 +61,7 @@ pub fn batch_arrays<F>(arrays: [*const F; 10]) -> BatchInputs<F> {
 
 /// Results of a batch: fx, fy, mz, power, adhesion, by their first number; the statuses; strides.
 fn results_at<F>(
-    [fx, fy, mz, power, adhesion]: [*mut F; 5],
-    stride: isize,
-    status_detail: *mut i32,
+    [fx, fy, mz, power, adhesion]: [*mut F; 5], stride: isize, status_detail: *mut i32,
     status_detail_stride: isize,
 ) -> BatchOutputs<F> {
     let mut to = no_batch();

@@ -83,11 +83,7 @@ pub const fn radii<F: Copy>([lower_x, lower_y, upper_x, upper_y]: [F; 4]) -> Rad
 
 /// Friction that falls with the slip, of clean bodies.
 pub const fn falling(
-    friction: f64,
-    ratio: f64,
-    decay: f64,
-    rolling_speed: f64,
-    slope_factor: f64,
+    friction: f64, ratio: f64, decay: f64, rolling_speed: f64, slope_factor: f64,
 ) -> SlipFriction<f64> {
     let (slide_factor, layer) = (0.0, 0.0);
     SlipFriction { friction, ratio, decay, rolling_speed, slope_factor, slide_factor, layer }
@@ -127,9 +123,7 @@ pub fn measured_size(measured: Measured, s: &Solution<f64>) -> f64 {
 
 /// A force at its creepage, of which these components were measured.
 pub fn measured_force<F: Float>(
-    at: Creepage<F>,
-    [fx, fy]: [F; 2],
-    measured: u32,
+    at: Creepage<F>, [fx, fy]: [F; 2], measured: u32,
 ) -> MeasuredForce<F> {
     let (Creepage { longitudinal, lateral, spin }, weight) = (at, F::one());
     MeasuredForce { longitudinal, lateral, spin, fx, fy, weight, measured, reserved: 0 }
@@ -140,9 +134,7 @@ pub const STRIP: Law<f64> = Law { model: Model::Strip, falling: None };
 
 /// A wheel and a rail with 16 strips of STRIP.
 pub fn scene<'a>(
-    rail: &'a PreparedProfile<f64>,
-    wheel: &'a PreparedProfile<f64>,
-    pair: &'a WheelPair<f64>,
+    rail: &'a PreparedProfile<f64>, wheel: &'a PreparedProfile<f64>, pair: &'a WheelPair<f64>,
 ) -> Scene<'a, f64> {
     Scene { rail, wheel, pair, strips: StripCount::Sixteen, law: STRIP }
 }

@@ -238,16 +238,11 @@ pub fn gauss(n: usize) -> Vec<(f64, f64)> {
 
 /// `∫ f` over consecutive pieces, and an estimate of the error left.
 pub fn adaptive<const M: usize>(
-    f: &dyn Fn(f64) -> [f64; M],
-    cuts: &[f64],
-    tolerance: f64,
+    f: &dyn Fn(f64) -> [f64; M], cuts: &[f64], tolerance: f64,
 ) -> ([f64; M], f64) {
     thread_local! { static RULE: Vec<(f64, f64)> = gauss(10); }
     fn panel<const M: usize>(
-        f: &dyn Fn(f64) -> [f64; M],
-        rule: &[(f64, f64)],
-        low: f64,
-        high: f64,
+        f: &dyn Fn(f64) -> [f64; M], rule: &[(f64, f64)], low: f64, high: f64,
     ) -> [f64; M] {
         let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
         let mut sum = [0.0; M];

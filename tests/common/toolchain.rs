@@ -166,19 +166,13 @@ fn compiler(cpp: bool) -> Command {
 
 /// Compile and link `source` under a language standard; `Err` is what the compiler said.
 fn compile(
-    cpp: bool,
-    standard: &str,
-    source: &Path,
-    arguments: &[&OsStr],
+    cpp: bool, standard: &str, source: &Path, arguments: &[&OsStr],
 ) -> Result<PathBuf, String> {
     compile_by(compiler(cpp), standard, source, arguments)
 }
 
 fn compile_by(
-    mut command: Command,
-    standard: &str,
-    source: &Path,
-    arguments: &[&OsStr],
+    mut command: Command, standard: &str, source: &Path, arguments: &[&OsStr],
 ) -> Result<PathBuf, String> {
     let program = scratch().join(format!(
         "{}-{}-{standard}{}",
@@ -230,10 +224,7 @@ fn run_source_by(source: &Path, flags: &[&str], given: &[&str]) -> String {
 /// A C99 program of the repository that needs a header and flags (or a compiler) of its own, linked
 /// with the library; `None` where an empty program with that header does not compile.
 pub fn build_c_with(
-    name: Option<&str>,
-    header: &str,
-    flags: &[&str],
-    source: &str,
+    name: Option<&str>, header: &str, flags: &[&str], source: &str,
 ) -> Option<PathBuf> {
     let command = || name.map_or_else(|| compiler(false), Command::new);
     let probe = format!("#include <{header}>\nint main(void) {{ return 0; }}\n");

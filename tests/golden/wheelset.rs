@@ -48,9 +48,7 @@ impl<F: Bits> Two<F> {
     }
 
     fn wheelset<'a>(
-        &'a self,
-        excess: f64,
-        falling: Option<&'a SlipFriction<F>>,
+        &'a self, excess: f64, falling: Option<&'a SlipFriction<F>>,
     ) -> Wheelset<'a, F> {
         let law = Law { model: Model::Strip, falling };
         let Stand { rail, wheel, .. } = &self.stand;

@@ -394,9 +394,7 @@ fn spelt(function: &Function, value: &str) -> String {
 /// The function of C that makes a call with good arguments, or with those of a case, and prints its
 /// number, status and whether outputs are untouched.
 fn caller(
-    function: &Function,
-    cases: &[(usize, &Case)],
-    good: &BTreeMap<String, String>,
+    function: &Function, cases: &[(usize, &Case)], good: &BTreeMap<String, String>,
 ) -> String {
     let setup = Setup::new(function, good);
     let mut text = setup.text.clone();
@@ -429,10 +427,7 @@ fn caller(
 /// The numbers in a structure as the tables name them, of arrays the first, with those of the
 /// structures that are its members.
 pub fn places<'a>(
-    declared: &'a Declared,
-    structure: &'a Structure,
-    within: &str,
-    deeper: bool,
+    declared: &'a Declared, structure: &'a Structure, within: &str, deeper: bool,
     found: &mut Vec<(String, &'a str)>,
 ) {
     for member in &structure.members {

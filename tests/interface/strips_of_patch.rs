@@ -21,11 +21,8 @@ type Answer = (kstrip_result, kstrip_derivatives);
 /// Status, and result and derivatives where it is not an error; else these keep their bytes. Of
 /// kstrip_patch_evaluate without creepages of strips.
 fn evaluate(
-    patch: &kstrip_patch,
-    motion: &kstrip_creepage,
-    own: Option<&[kstrip_creepage]>,
-    law: Option<&kstrip_friction>,
-    options: &kstrip_options,
+    patch: &kstrip_patch, motion: &kstrip_creepage, own: Option<&[kstrip_creepage]>,
+    law: Option<&kstrip_friction>, options: &kstrip_options,
 ) -> (i32, Option<Answer>) {
     let (mut result, mut by) = ([poisoned()], [poisoned()]);
     let outputs = kstrip_outputs {
@@ -51,9 +48,7 @@ fn evaluate(
 }
 
 fn found(
-    patch: &kstrip_patch,
-    motion: &kstrip_creepage,
-    own: Option<&[kstrip_creepage]>,
+    patch: &kstrip_patch, motion: &kstrip_creepage, own: Option<&[kstrip_creepage]>,
     law: Option<&kstrip_friction>,
 ) -> Answer {
     evaluate(patch, motion, own, law, &STRIP).1.expect("no error")

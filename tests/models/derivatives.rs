@@ -51,10 +51,7 @@ fn derivatives_are_those_of_the_computed_forces() {
 }
 
 fn check_models(
-    models: &[Model],
-    points: usize,
-    seed: u64,
-    next: impl Fn(&mut Random) -> [f64; 3],
+    models: &[Model], points: usize, seed: u64, next: impl Fn(&mut Random) -> [f64; 3],
 ) {
     let mut random = Random::new(seed);
     let mut comparison = Comparison::default();

@@ -50,11 +50,7 @@ impl Comparison {
     /// Forces as a function of what they are differentiated by, from 0; their derivatives, whose
     /// errors are measured against `size`.
     pub fn column(
-        &mut self,
-        at: &dyn Fn(f64) -> [f64; 3],
-        exact: [f64; 3],
-        size: [f64; 3],
-        allowed: f64,
+        &mut self, at: &dyn Fn(f64) -> [f64; 3], exact: [f64; 3], size: [f64; 3], allowed: f64,
         what: &dyn std::fmt::Debug,
     ) {
         let Some(found) = trusted_differences(at, &size) else {
@@ -80,12 +76,8 @@ impl Comparison {
     /// One patch: `exact` row by row, `unit` its friction bound, in units of the force divided by
     /// the creepage that it takes.
     pub fn patch(
-        &mut self,
-        exact: impl Fn(usize, usize) -> f64,
-        motion: &Creepage<f64>,
-        unit: f64,
-        forces: impl Fn(&Creepage<f64>) -> [f64; 3],
-        what: &dyn std::fmt::Debug,
+        &mut self, exact: impl Fn(usize, usize) -> f64, motion: &Creepage<f64>, unit: f64,
+        forces: impl Fn(&Creepage<f64>) -> [f64; 3], what: &dyn std::fmt::Debug,
     ) {
         let size = motion.longitudinal.abs() + motion.lateral.abs() + motion.spin.abs() * 4e-3;
         let units = [unit, unit, unit * 4e-3];

@@ -40,9 +40,7 @@ fn curve(series: &str) -> Vec<MeasuredForce<f64>> {
 
 /// Points on the curve of a law, `count` of them, each at its creepage, times a factor.
 fn made(
-    law: &SlipFriction<f64>,
-    count: i32,
-    at: impl Fn(f64) -> f64,
+    law: &SlipFriction<f64>, count: i32, at: impl Fn(f64) -> f64,
     mut factor: impl FnMut(i32) -> f64,
 ) -> Vec<MeasuredForce<f64>> {
     let point = |i: i32| {
@@ -58,9 +56,7 @@ fn behind(motion: &Creepage<f64>, law: &SlipFriction<f64>) -> Solution<f64> {
 }
 
 fn fit(
-    points: &[MeasuredForce<f64>],
-    fitted: [bool; 6],
-    start: SlipFriction<f64>,
+    points: &[MeasuredForce<f64>], fitted: [bool; 6], start: SlipFriction<f64>,
 ) -> FrictionFit<f64> {
     fit_friction(&LOCOMOTIVE, points, &start, fitted, &total()).unwrap()
 }

@@ -6,10 +6,7 @@ use kstrip::friction::{self, FrictionSolution};
 /// Under friction that falls with the slip, with the derivatives with respect to the creepages as a
 /// matrix.
 pub fn with_slopes_under(
-    c: &Contact<f64>,
-    m: &Creepage<f64>,
-    law: &SlipFriction<f64>,
-    o: &Options,
+    c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options,
 ) -> Result<(FrictionSolution<f64>, Matrix3<f64>), Error> {
     let found = differentiate_with_law(c, m, Some(law), o)?;
     let solution = FrictionSolution { solution: found.solution, friction: found.friction };
@@ -201,11 +198,7 @@ fn derivatives_follow_friction_and_slip() {
 
 /// Every sign change of `g(μ) − μ` on a fine grid, from above.
 fn solutions(
-    c: &Contact<f64>,
-    m: &Creepage<f64>,
-    law: &SlipFriction<f64>,
-    o: &Options,
-    step: f64,
+    c: &Contact<f64>, m: &Creepage<f64>, law: &SlipFriction<f64>, o: &Options, step: f64,
 ) -> Vec<f64> {
     let at = |i: i32| law.friction * ((1.0 - step).powi(i)).max(1e-9);
     let error = |i: i32| next(c, m, law, o, at(i)) - at(i);

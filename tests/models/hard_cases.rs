@@ -32,10 +32,7 @@ fn answer<F: InC>(c: &Contact<f64>, m: &Creepage<f64>, model: Model) -> Result<[
 }
 
 fn one_answer<F: InC>(
-    c: &Contact<F>,
-    m: &Creepage<F>,
-    model: Model,
-    count: StripCount,
+    c: &Contact<F>, m: &Creepage<F>, model: Model, count: StripCount,
 ) -> Result<[f64; 4], Error> {
     let what = || format!("{model:?} {count:?} {c:?} {m:?}");
     let o = kstrip_options { model: model as i32, strips: count as i32 };

@@ -22,10 +22,7 @@ fn groove(radius: f64, half: i32) -> impl Iterator<Item = [f64; 2]> {
 
 /// The height of a load, what the rail carries there, and the stiffness of the contacts.
 fn carried<F: Float>(
-    [rail, wheel]: [&PreparedProfile<F>; 2],
-    pair: &WheelPair<F>,
-    place: [f64; 2],
-    load: f64,
+    [rail, wheel]: [&PreparedProfile<F>; 2], pair: &WheelPair<F>, place: [f64; 2], load: f64,
     memory: &mut Workspace<F>,
 ) -> (F, F, F) {
     let law = Law { model: Model::Strip, falling: None };

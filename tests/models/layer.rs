@@ -10,10 +10,7 @@ fn law(friction: f64, slide_factor: f64, layer: f64) -> SlipFriction<f64> {
 }
 
 fn forces(
-    c: &Contact<f64>,
-    m: &Creepage<f64>,
-    l: &SlipFriction<f64>,
-    o: &Options,
+    c: &Contact<f64>, m: &Creepage<f64>, l: &SlipFriction<f64>, o: &Options,
 ) -> Solution<f64> {
     friction::solve_with_law(c, m, l, o).unwrap().solution
 }

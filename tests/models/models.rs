@@ -403,8 +403,7 @@ fn field_integrates_to_the_force() {
 /// coefficients.
 #[rstest]
 fn zero_creepage(
-    #[values(0.001, 0.1, 0.5, 1.0, 3.0, 10.0, 1000.0)] g: f64,
-    #[values(0.0, 0.28, 0.5)] nu: f64,
+    #[values(0.001, 0.1, 0.5, 1.0, 3.0, 10.0, 1000.0)] g: f64, #[values(0.0, 0.28, 0.5)] nu: f64,
 ) {
     let LinearCoefficients { c11, c22, c23, c33 } = LinearCoefficients::at(g, nu);
     for options in fitted().into_iter().chain([linear()]) {

@@ -40,8 +40,7 @@ fn any_speed(random: &mut Random) -> f64 {
 
 /// Contacts and motions of any speed, with options and a law.
 fn states(
-    seed: u64,
-    count: usize,
+    seed: u64, count: usize,
 ) -> impl Iterator<Item = (Contact<f64>, Motion<f64>, Options, Option<SlipFriction<f64>>)> {
     let mut random = Random::new(seed);
     (0..count).map(move |n| {

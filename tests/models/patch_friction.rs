@@ -13,10 +13,7 @@ const SMOOTH: [Model; 2] = [Model::Strip, Model::Strip1967Continuous];
 
 /// Forces, and derivatives with respect to the creepages.
 fn solve_jacobian(
-    view: &PatchView<f64>,
-    motion: &Creepage<f64>,
-    law: &SlipFriction<f64>,
-    model: Model,
+    view: &PatchView<f64>, motion: &Creepage<f64>, law: &SlipFriction<f64>, model: Model,
 ) -> Result<(FrictionSolution<f64>, Matrix3<f64>), Error> {
     let found = differentiate_patch(view, motion, Some(law), model)?;
     let jacobian = Matrix3::from(found.derivatives.jacobian).transpose();

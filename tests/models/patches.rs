@@ -40,9 +40,7 @@ pub fn side_by_side(ellipses: &[(Contact<f64>, f64)], count: StripCount) -> Full
 
 /// The results of all strips.
 pub fn strips_of_patch(
-    patch: &PatchView<f64>,
-    motion: &Creepage<f64>,
-    model: Model,
+    patch: &PatchView<f64>, motion: &Creepage<f64>, model: Model,
 ) -> Vec<StripResult<f64>> {
     let mut found = Vec::new();
     solver::patch_strips(patch, motion, model, &mut |strip| found.push(strip)).unwrap();

@@ -11,9 +11,7 @@ const NAMES: [&str; 10] = [
 type Points = Vec<[f64; 2]>;
 
 fn prepared(
-    points: &[[f64; 2]],
-    step: f64,
-    smoothing: f64,
+    points: &[[f64; 2]], step: f64, smoothing: f64,
 ) -> Result<Box<PreparedProfile<f64>>, Error> {
     let (y, z): (Vec<f64>, Vec<f64>) = points.iter().map(|&[y, z]| (y, z)).unzip();
     let mut surface = zeroed::<PreparedProfile<f64>>();

@@ -24,10 +24,7 @@ pub(crate) fn pressed(rolling_radius: f64, load: f64) -> ProfileContact<f64> {
 }
 
 fn built(
-    y: &[f64],
-    distance: &[f64],
-    contact: &ProfileContact<f64>,
-    count: StripCount,
+    y: &[f64], distance: &[f64], contact: &ProfileContact<f64>, count: StripCount,
 ) -> (Full, Indentation<f64>) {
     Full::from_profile(&Profile::new(y, distance).unwrap(), contact, count).unwrap()
 }

@@ -37,10 +37,7 @@ impl Stand {
     /// The balance, which is one but for rounding.
     #[track_caller]
     fn balance(
-        &mut self,
-        start: &Position<f64>,
-        velocity: &Velocity<f64>,
-        loads: &WheelsetLoads<f64>,
+        &mut self, start: &Position<f64>, velocity: &Velocity<f64>, loads: &WheelsetLoads<f64>,
     ) -> Settled<f64> {
         let settled = self.settle(start, velocity, loads).unwrap();
         assert!(settled.warning != Warning::NotConverged);

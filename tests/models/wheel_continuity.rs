@@ -100,9 +100,7 @@ impl Over<'_> {
 
 /// A wheel of 0.46 m with 16 strips.
 fn over<'a>(
-    rail: &'a PreparedProfile<f64>,
-    wheel: &'a PreparedProfile<f64>,
-    smoothing_length: f64,
+    rail: &'a PreparedProfile<f64>, wheel: &'a PreparedProfile<f64>, smoothing_length: f64,
     position: Position<f64>,
 ) -> Over<'a> {
     let pair = WheelPair { smoothing_length, ..steel(0.46) };

@@ -34,9 +34,7 @@ fn drawn(end: f64, height: impl Fn(f64) -> f64) -> Prepared {
 
 /// The warning of a wheel pressed 0.1 mm into a rail.
 fn on_rail(
-    rail: &PreparedProfile<f64>,
-    wheel: &PreparedProfile<f64>,
-    pair: &WheelPair<f64>,
+    rail: &PreparedProfile<f64>, wheel: &PreparedProfile<f64>, pair: &WheelPair<f64>,
 ) -> Option<Warning> {
     let scene = Scene { strips: StripCount::Eight, ..scene(rail, wheel, pair) };
     let mut memory = zeroed::<Workspace<f64>>();

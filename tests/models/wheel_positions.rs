@@ -35,9 +35,7 @@ fn differences(at: &mut dyn FnMut(f64) -> Option<Members>, h: f64) -> Option<(Me
 /// Of each column of the derivatives the largest error over its largest entry; none where the
 /// differences do not converge.
 fn errors(
-    scene: &Scene<f64>,
-    position: &Position<f64>,
-    velocity: &Velocity<f64>,
+    scene: &Scene<f64>, position: &Position<f64>, velocity: &Velocity<f64>,
     memory: &mut Workspace<f64>,
 ) -> [Option<f64>; 4] {
     let (_, slopes) = by_position(scene, *position, *velocity, memory);

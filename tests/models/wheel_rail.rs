@@ -36,9 +36,7 @@ pub(crate) struct Stand {
 
 impl Stand {
     pub(crate) fn new(
-        rail: Box<PreparedProfile<f64>>,
-        wheel: Box<PreparedProfile<f64>>,
-        wheel_radius: f64,
+        rail: Box<PreparedProfile<f64>>, wheel: Box<PreparedProfile<f64>>, wheel_radius: f64,
     ) -> Self {
         let (pair, model) = (steel(wheel_radius), Model::Strip);
         Self { rail, wheel, pair, model, falling: None, memory: zeroed() }
@@ -57,9 +55,7 @@ impl Stand {
     }
 
     pub(crate) fn solve(
-        &mut self,
-        position: &Position<f64>,
-        velocity: &Velocity<f64>,
+        &mut self, position: &Position<f64>, velocity: &Velocity<f64>,
     ) -> Wrench<f64> {
         let (scene, memory) = self.split();
         scene.solve(&BodyState { position: *position, velocity: *velocity }, memory).unwrap()
@@ -67,9 +63,7 @@ impl Stand {
 
     /// Derivatives with respect to velocity.
     pub(crate) fn derivatives(
-        &mut self,
-        position: &Position<f64>,
-        velocity: &Velocity<f64>,
+        &mut self, position: &Position<f64>, velocity: &Velocity<f64>,
     ) -> Box<WrenchDerivatives<f64>> {
         let (mut slopes, (scene, memory)) = (zeroed(), self.split());
         scene
@@ -83,10 +77,7 @@ impl Stand {
     }
 
     pub(crate) fn height(
-        &mut self,
-        position: &Position<f64>,
-        load: f64,
-        velocity: Option<&Velocity<f64>>,
+        &mut self, position: &Position<f64>, load: f64, velocity: Option<&Velocity<f64>>,
     ) -> f64 {
         let (scene, memory) = self.split();
         let (height, warning) = scene.height_for_load(position, load, velocity, memory).unwrap();
@@ -431,9 +422,7 @@ pub(crate) fn difference(plus: &Wrench<f64>, minus: &Wrench<f64>, step: f64) -> 
 /// Derivatives with respect to these rates are those of differences of this step, but for a share
 /// of the largest of each column, at least `least`.
 pub(crate) fn assert_derivatives(
-    slopes: &[[f64; 6]; 6],
-    rates: impl IntoIterator<Item = usize>,
-    (step, least): (f64, f64),
+    slopes: &[[f64; 6]; 6], rates: impl IntoIterator<Item = usize>, (step, least): (f64, f64),
     mut at: impl FnMut(usize, f64) -> Wrench<f64>,
 ) {
     for k in rates {
@@ -454,10 +443,7 @@ pub(crate) fn assert_near(slopes: &[f64], expected: &[f64], (share, least): (f64
 
 /// The wrench, and its derivatives with respect to the position.
 pub(crate) fn by_position<F: Float>(
-    scene: &Scene<F>,
-    position: Position<F>,
-    velocity: Velocity<F>,
-    memory: &mut Workspace<F>,
+    scene: &Scene<F>, position: Position<F>, velocity: Velocity<F>, memory: &mut Workspace<F>,
 ) -> (Wrench<F>, WrenchByPosition<F>) {
     let mut slopes = WrenchByPosition::default();
     let requested = Requested { by_velocity: None, by_position: Some(&mut slopes) };

@@ -39,9 +39,7 @@ pub fn at(lateral: f64, yaw: f64) -> Position<f64> {
 
 impl Stand {
     pub fn new(
-        rail: Box<PreparedProfile<f64>>,
-        wheel: Box<PreparedProfile<f64>>,
-        origin: f64,
+        rail: Box<PreparedProfile<f64>>, wheel: Box<PreparedProfile<f64>>, origin: f64,
     ) -> Self {
         let left = WheelPair { left: 1, ..steel(RADIUS) };
         Self {
@@ -70,8 +68,7 @@ impl Stand {
     }
 
     fn split(
-        &mut self,
-        motion: [RailMotion<f64>; 2],
+        &mut self, motion: [RailMotion<f64>; 2],
     ) -> (Wheelset<'_, f64>, &mut WheelsetWorkspace<f64>) {
         let Self { rails, wheels, pairs, origins, law, memory } = self;
         let law = Law { falling: law.as_ref(), model: Model::Strip };
@@ -88,20 +85,14 @@ impl Stand {
     }
 
     pub fn settle(
-        &mut self,
-        start: &Position<f64>,
-        velocity: &Velocity<f64>,
-        loads: &WheelsetLoads<f64>,
+        &mut self, start: &Position<f64>, velocity: &Velocity<f64>, loads: &WheelsetLoads<f64>,
     ) -> Result<Settled<f64>, Error> {
         let (wheelset, memory) = self.split([NOTHING; 2]);
         wheelset.settle(&BodyState { position: *start, velocity: *velocity }, loads, memory)
     }
 
     pub fn solve(
-        &mut self,
-        position: &Position<f64>,
-        velocity: &Velocity<f64>,
-        rails: [RailMotion<f64>; 2],
+        &mut self, position: &Position<f64>, velocity: &Velocity<f64>, rails: [RailMotion<f64>; 2],
     ) -> WheelsetForces<f64> {
         let (wheelset, memory) = self.split(rails);
         wheelset.solve(&BodyState { position: *position, velocity: *velocity }, memory).unwrap()
@@ -109,9 +100,7 @@ impl Stand {
 
     /// With respect to all velocities and by all positions.
     fn derivatives(
-        &mut self,
-        state: &BodyState<f64>,
-        rails: [RailMotion<f64>; 2],
+        &mut self, state: &BodyState<f64>, rails: [RailMotion<f64>; 2],
     ) -> (WheelsetDerivatives<f64>, WheelsetByPosition<f64>) {
         let (mut by, mut moved) = (WheelsetDerivatives::default(), WheelsetByPosition::default());
         let requested = Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) };

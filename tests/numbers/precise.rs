@@ -248,8 +248,7 @@ impl Float for Precise {
         Self::keep(self.digits().ln())
     }
     fn table<const R: usize, const C: usize>(
-        _: &'static [[f32; C]; R],
-        double: &'static [[f64; C]; R],
+        _: &'static [[f32; C]; R], double: &'static [[f64; C]; R],
     ) -> &'static [[Self; C]; R] {
         TABLES.with_borrow_mut(|tables| {
             let table = *tables.entry((double.as_ptr().addr(), R, C)).or_insert_with(|| {

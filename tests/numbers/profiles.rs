@@ -48,9 +48,7 @@ fn solved<F: Float>(shape: Shape, load: f32) -> (Vec<PatchStrip<F>>, Indentation
 /// Errors in units of the last place: approach, stiffness, half lengths (of the longest), pressures
 /// (of the largest).
 fn errors<F: Float>(
-    shape: Shape,
-    load: f32,
-    (strips, wanted): &(Vec<PatchStrip<Precise>>, Indentation<Precise>),
+    shape: Shape, load: f32, (strips, wanted): &(Vec<PatchStrip<Precise>>, Indentation<Precise>),
 ) -> [f64; 4] {
     let (found_strips, found) = solved::<F>(shape, load);
     let epsilon = F::EPSILON.to_f64();

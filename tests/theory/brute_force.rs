@@ -73,9 +73,7 @@ fn errors<F: Float>(cases: &[(Law, [f64; 4])]) -> [Vec<f64>; 3] {
 
 /// Laws with their totals by brute force.
 fn cases(
-    count: usize,
-    seed: u64,
-    next: impl Fn(&mut Random, usize) -> Law,
+    count: usize, seed: u64, next: impl Fn(&mut Random, usize) -> Law,
 ) -> Vec<(Law, [f64; 4])> {
     let mut random = Random::new(seed);
     (0..count)

@@ -31,11 +31,8 @@ use core::mem::MaybeUninit;
 ///         KSTRIP_ERROR_STRIDE.
 #[unsafe(export_name = symbol!("kstrip_evaluate_batch"))]
 pub unsafe extern "C" fn kstrip_evaluate_batch(
-    inputs: Option<&BatchInputs<F>>,
-    count: u32,
-    options: Option<&kstrip_options>,
-    outputs: Option<&BatchOutputs<F>>,
-    first_bad: Option<&mut MaybeUninit<u32>>,
+    inputs: Option<&BatchInputs<F>>, count: u32, options: Option<&kstrip_options>,
+    outputs: Option<&BatchOutputs<F>>, first_bad: Option<&mut MaybeUninit<u32>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL, or valid for count elements at its distances, says the header.
     answer(|| unsafe {

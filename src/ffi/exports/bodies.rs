@@ -19,8 +19,7 @@ use core::mem::MaybeUninit;
 ///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_material_combine"))]
 pub extern "C" fn kstrip_material_combine(
-    lower: Option<&Material<F>>,
-    upper: Option<&Material<F>>,
+    lower: Option<&Material<F>>, upper: Option<&Material<F>>,
     combined: Option<&mut MaybeUninit<CombinedMaterial<F>>>,
 ) -> kstrip_status {
     fill(combined, || material::combine(given(lower)?, given(upper)?))
@@ -44,10 +43,7 @@ pub extern "C" fn kstrip_material_combine(
 ///         KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_contact_from_hertz"))]
 pub extern "C" fn kstrip_contact_from_hertz(
-    radii: Option<&Radii<F>>,
-    pair: Option<&CombinedMaterial<F>>,
-    load: F,
-    friction: F,
+    radii: Option<&Radii<F>>, pair: Option<&CombinedMaterial<F>>, load: F, friction: F,
     contact: Option<&mut MaybeUninit<Contact<F>>>,
     ellipse: Option<&mut MaybeUninit<HertzContact<F>>>,
 ) -> kstrip_status {
@@ -71,12 +67,8 @@ pub extern "C" fn kstrip_contact_from_hertz(
 /// @return as kstrip_contact_from_hertz().
 #[unsafe(export_name = symbol!("kstrip_contact_from_approach"))]
 pub extern "C" fn kstrip_contact_from_approach(
-    radii: Option<&Radii<F>>,
-    pair: Option<&CombinedMaterial<F>>,
-    approach: F,
-    friction: F,
-    contact: Option<&mut MaybeUninit<Contact<F>>>,
-    dload_dapproach: Option<&mut MaybeUninit<F>>,
+    radii: Option<&Radii<F>>, pair: Option<&CombinedMaterial<F>>, approach: F, friction: F,
+    contact: Option<&mut MaybeUninit<Contact<F>>>, dload_dapproach: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     fill_warned(contact, || {
         let (found, slope, warning) =
@@ -100,9 +92,7 @@ pub extern "C" fn kstrip_contact_from_approach(
 ///         (axis_ratio), KSTRIP_ERROR_POISSON_RATIO.
 #[unsafe(export_name = symbol!("kstrip_linear_coefficients"))]
 pub unsafe extern "C" fn kstrip_linear_coefficients(
-    axis_ratio: F,
-    poisson_ratio: F,
-    coefficients: *mut F,
+    axis_ratio: F, poisson_ratio: F, coefficients: *mut F,
 ) -> kstrip_status {
     // SAFETY: NULL or four writable numbers, says the header.
     let coefficients = unsafe { place(coefficients.cast::<[F; 4]>()) };

@@ -44,14 +44,9 @@ use core::mem::MaybeUninit;
 ///         kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_fit_friction"))]
 pub unsafe extern "C" fn kstrip_fit_friction(
-    contact: Option<&Contact<F>>,
-    points: *const MeasuredForce<F>,
-    count: u32,
-    start: Option<&SlipFriction<F>>,
-    parameters: u32,
-    options: Option<&kstrip_options>,
-    fit: Option<&mut MaybeUninit<FrictionFit<F>>>,
-    first_bad: Option<&mut MaybeUninit<u32>>,
+    contact: Option<&Contact<F>>, points: *const MeasuredForce<F>, count: u32,
+    start: Option<&SlipFriction<F>>, parameters: u32, options: Option<&kstrip_options>,
+    fit: Option<&mut MaybeUninit<FrictionFit<F>>>, first_bad: Option<&mut MaybeUninit<u32>>,
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
     let points = unsafe { input(points, count) };

@@ -32,16 +32,9 @@ use core::mem::MaybeUninit;
 /// @return as kstrip_evaluate(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
 #[unsafe(export_name = symbol!("kstrip_field"))]
 pub unsafe extern "C" fn kstrip_field(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    x: *const F,
-    columns: u32,
-    y: *const F,
-    rows: u32,
-    points: *mut FieldPoint<F>,
-    capacity: u32,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
+    friction: Option<&SlipFriction<F>>, options: Option<&kstrip_options>, x: *const F,
+    columns: u32, y: *const F, rows: u32, points: *mut FieldPoint<F>, capacity: u32,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
     let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
@@ -65,8 +58,7 @@ impl FieldGrid<'_> {
     /// # Safety
     /// The arrays are NULL, or valid for as many elements as stand beside them.
     pub(super) unsafe fn new(
-        (x, columns): (*const F, u32),
-        (y, rows): (*const F, u32),
+        (x, columns): (*const F, u32), (y, rows): (*const F, u32),
         (points, capacity): (*mut FieldPoint<F>, u32),
     ) -> Result<Self, Error> {
         // SAFETY: the caller's promise.
@@ -81,9 +73,7 @@ impl FieldGrid<'_> {
 
     /// Writes the points, strip by strip.
     pub(super) fn write<S>(
-        self,
-        strip_at: impl Fn(F) -> S,
-        along: impl Fn(&S, F) -> FieldPoint<F>,
+        self, strip_at: impl Fn(F) -> S, along: impl Fn(&S, F) -> FieldPoint<F>,
     ) -> Result<(), Error> {
         let Self { x, y, points } = self;
         Error::NotFinite.unless(are_finite(x) && are_finite(y))?;

@@ -49,23 +49,12 @@ use crate::wheelset::settle::WheelsetLoads;
 ///         of any wheel.
 #[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
 pub unsafe extern "C" fn kstrip_wheels_on_rails(
-    rail: Option<&PreparedProfile<F>>,
-    wheel: Option<&PreparedProfile<F>>,
-    count: u32,
-    pairs: *const WheelPair<F>,
-    pair_stride: u32,
-    positions: *const Position<F>,
-    position_stride: u32,
-    velocities: *const Velocity<F>,
-    velocity_stride: u32,
-    friction: *const SlipFriction<F>,
-    friction_stride: u32,
-    workspace: Option<&mut Workspace<F>>,
-    wrenches: *mut Wrench<F>,
-    derivatives: *mut WrenchDerivatives<F>,
-    by_position: *mut WrenchByPosition<F>,
-    contacts: *mut WheelContact<F>,
-    room: u32,
+    rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
+    pairs: *const WheelPair<F>, pair_stride: u32, positions: *const Position<F>,
+    position_stride: u32, velocities: *const Velocity<F>, velocity_stride: u32,
+    friction: *const SlipFriction<F>, friction_stride: u32, workspace: Option<&mut Workspace<F>>,
+    wrenches: *mut Wrench<F>, derivatives: *mut WrenchDerivatives<F>,
+    by_position: *mut WrenchByPosition<F>, contacts: *mut WheelContact<F>, room: u32,
     statuses: *mut kstrip_status,
 ) -> kstrip_status {
     answer(|| {
@@ -129,22 +118,11 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_heights_for_loads"))]
 pub unsafe extern "C" fn kstrip_heights_for_loads(
-    rail: Option<&PreparedProfile<F>>,
-    wheel: Option<&PreparedProfile<F>>,
-    count: u32,
-    pairs: *const WheelPair<F>,
-    pair_stride: u32,
-    positions: *const Position<F>,
-    position_stride: u32,
-    supports: *const F,
-    support_stride: u32,
-    velocities: *const Velocity<F>,
-    velocity_stride: u32,
-    friction: *const SlipFriction<F>,
-    friction_stride: u32,
-    workspace: Option<&mut Workspace<F>>,
-    verticals: *mut F,
-    statuses: *mut kstrip_status,
+    rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
+    pairs: *const WheelPair<F>, pair_stride: u32, positions: *const Position<F>,
+    position_stride: u32, supports: *const F, support_stride: u32, velocities: *const Velocity<F>,
+    velocity_stride: u32, friction: *const SlipFriction<F>, friction_stride: u32,
+    workspace: Option<&mut Workspace<F>>, verticals: *mut F, statuses: *mut kstrip_status,
 ) -> kstrip_status {
     answer(|| {
         let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
@@ -186,18 +164,11 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_wheelsets_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelsets_on_track(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
-    count: u32,
-    positions: *const Position<F>,
-    position_stride: u32,
-    velocities: *const Velocity<F>,
-    velocity_stride: u32,
-    workspace: Option<&mut WheelsetWorkspace<F>>,
-    forces: *mut WheelsetForces<F>,
-    derivatives: *mut WheelsetDerivatives<F>,
-    by_position: *mut WheelsetByPosition<F>,
-    statuses: *mut kstrip_status,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, count: u32,
+    positions: *const Position<F>, position_stride: u32, velocities: *const Velocity<F>,
+    velocity_stride: u32, workspace: Option<&mut WheelsetWorkspace<F>>,
+    forces: *mut WheelsetForces<F>, derivatives: *mut WheelsetDerivatives<F>,
+    by_position: *mut WheelsetByPosition<F>, statuses: *mut kstrip_status,
 ) -> kstrip_status {
     answer(|| {
         let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);
@@ -234,20 +205,11 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
 /// @return as kstrip_wheels_on_rails().
 #[unsafe(export_name = symbol!("kstrip_wheelsets_settle"))]
 pub unsafe extern "C" fn kstrip_wheelsets_settle(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
-    count: u32,
-    starts: *const Position<F>,
-    start_stride: u32,
-    velocities: *const Velocity<F>,
-    velocity_stride: u32,
-    loads: *const WheelsetLoads<F>,
-    load_stride: u32,
-    workspace: Option<&mut WheelsetWorkspace<F>>,
-    positions: *mut Position<F>,
-    moves: *mut Velocity<F>,
-    forces: *mut WheelsetForces<F>,
-    statuses: *mut kstrip_status,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, count: u32,
+    starts: *const Position<F>, start_stride: u32, velocities: *const Velocity<F>,
+    velocity_stride: u32, loads: *const WheelsetLoads<F>, load_stride: u32,
+    workspace: Option<&mut WheelsetWorkspace<F>>, positions: *mut Position<F>,
+    moves: *mut Velocity<F>, forces: *mut WheelsetForces<F>, statuses: *mut kstrip_status,
 ) -> kstrip_status {
     answer(|| {
         let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);

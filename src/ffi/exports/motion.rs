@@ -21,9 +21,7 @@ use core::mem::MaybeUninit;
 ///         KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_creepage_from_velocities"))]
 pub extern "C" fn kstrip_creepage_from_velocities(
-    lower: Option<&SurfaceVelocity<F>>,
-    upper: Option<&SurfaceVelocity<F>>,
-    rolling_speed: F,
+    lower: Option<&SurfaceVelocity<F>>, upper: Option<&SurfaceVelocity<F>>, rolling_speed: F,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
@@ -35,8 +33,7 @@ pub extern "C" fn kstrip_creepage_from_velocities(
 /// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
 #[unsafe(export_name = symbol!("kstrip_parameters_from_creepage"))]
 pub extern "C" fn kstrip_parameters_from_creepage(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
     parameters: Option<&mut MaybeUninit<KalkerParameters<F>>>,
 ) -> kstrip_status {
     fill(parameters, || {
@@ -59,8 +56,7 @@ pub extern "C" fn kstrip_parameters_from_creepage(
 ///         errors of kstrip_solve() for the same contact.
 #[unsafe(export_name = symbol!("kstrip_creepage_from_parameters"))]
 pub extern "C" fn kstrip_creepage_from_parameters(
-    contact: Option<&Contact<F>>,
-    parameters: Option<&KalkerParameters<F>>,
+    contact: Option<&Contact<F>>, parameters: Option<&KalkerParameters<F>>,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     fill(creepage, || {

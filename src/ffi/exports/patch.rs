@@ -33,10 +33,8 @@ use core::mem::MaybeUninit;
 ///         KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_patch_from_profile"))]
 pub unsafe extern "C" fn kstrip_patch_from_profile(
-    profile: Option<&ProfilePoints<F>>,
-    contact: Option<&ProfileOptions<F>>,
-    patch: Option<&mut MaybeUninit<Patch<F>>>,
-    result: Option<&mut MaybeUninit<Indentation<F>>>,
+    profile: Option<&ProfilePoints<F>>, contact: Option<&ProfileOptions<F>>,
+    patch: Option<&mut MaybeUninit<Patch<F>>>, result: Option<&mut MaybeUninit<Indentation<F>>>,
 ) -> kstrip_status {
     answer(|| {
         let (profile, contact, patch) = (given(profile)?, given(contact)?, given(patch)?);
@@ -94,10 +92,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
 ///         KSTRIP_ERROR_PATCH_SIZE.
 #[unsafe(export_name = symbol!("kstrip_patch_from_strips"))]
 pub unsafe extern "C" fn kstrip_patch_from_strips(
-    strips: *const PatchStrip<F>,
-    count: u32,
-    shear_modulus: F,
-    poisson_ratio: F,
+    strips: *const PatchStrip<F>, count: u32, shear_modulus: F, poisson_ratio: F,
     patch: Option<&mut MaybeUninit<Patch<F>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
@@ -119,8 +114,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 /// @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
 #[unsafe(export_name = symbol!("kstrip_patch_from_contact"))]
 pub extern "C" fn kstrip_patch_from_contact(
-    contact: Option<&Contact<F>>,
-    options: Option<&kstrip_options>,
+    contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
     patch: Option<&mut MaybeUninit<Patch<F>>>,
 ) -> kstrip_status {
     fill(patch, || Patch::from_ellipse(given(contact)?, for_strips(options)?.strips))
@@ -134,8 +128,7 @@ pub extern "C" fn kstrip_patch_from_contact(
 ///         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
 #[unsafe(export_name = symbol!("kstrip_patch_summarize"))]
 pub extern "C" fn kstrip_patch_summarize(
-    patch: Option<&Patch<F>>,
-    summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
+    patch: Option<&Patch<F>>, summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
 ) -> kstrip_status {
     fill(summary, || {
         let view = given(patch)?.view()?;
@@ -183,11 +176,8 @@ pub extern "C" fn kstrip_patch_summarize(
 ///         errors of kstrip_patch_summarize().
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate(
-    patch: Option<&Patch<F>>,
-    creepage: Option<&Creepage<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: Option<&Outputs<F>>,
+    patch: Option<&Patch<F>>, creepage: Option<&Creepage<F>>, friction: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
     answer(|| unsafe {
@@ -203,11 +193,8 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
 /// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate_strips"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
-    patch: Option<&Patch<F>>,
-    creepage: Option<&Creepage<F>>,
-    own: *const Creepage<F>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
+    patch: Option<&Patch<F>>, creepage: Option<&Creepage<F>>, own: *const Creepage<F>,
+    friction: Option<&SlipFriction<F>>, options: Option<&kstrip_options>,
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     let strips = patch.map_or(0, |patch| patch.count.min(KSTRIP_PATCH_CAPACITY as u32));
@@ -238,16 +225,9 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
 /// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
 #[unsafe(export_name = symbol!("kstrip_patch_field"))]
 pub unsafe extern "C" fn kstrip_patch_field(
-    patch: Option<&Patch<F>>,
-    creepage: Option<&Creepage<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    x: *const F,
-    columns: u32,
-    y: *const F,
-    rows: u32,
-    points: *mut FieldPoint<F>,
-    capacity: u32,
+    patch: Option<&Patch<F>>, creepage: Option<&Creepage<F>>, friction: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, x: *const F, columns: u32, y: *const F, rows: u32,
+    points: *mut FieldPoint<F>, capacity: u32,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
     let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
@@ -264,11 +244,8 @@ pub unsafe extern "C" fn kstrip_patch_field(
 /// Every pointer of the outputs is NULL, or valid and aligned for one write, that of the strips for
 /// `capacity`; no two overlap.
 unsafe fn evaluate_patch(
-    patch: &Patch<F>,
-    (creepage, own): (&Creepage<F>, &[Creepage<F>]),
-    law: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: &Outputs<F>,
+    patch: &Patch<F>, (creepage, own): (&Creepage<F>, &[Creepage<F>]),
+    law: Option<&SlipFriction<F>>, options: Option<&kstrip_options>, outputs: &Outputs<F>,
 ) -> Result<Warning, Error> {
     let model = for_strips(options)?.model;
     let mut view = patch.view()?;

@@ -46,14 +46,9 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 ///         kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_estimate_friction"))]
 pub extern "C" fn kstrip_estimate_friction(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    measured: u32,
-    fx: F,
-    fy: F,
-    estimate: Option<&mut MaybeUninit<FrictionEstimate<F>>>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
+    friction: Option<&SlipFriction<F>>, options: Option<&kstrip_options>, measured: u32, fx: F,
+    fy: F, estimate: Option<&mut MaybeUninit<FrictionEstimate<F>>>,
 ) -> kstrip_status {
     fill_warned(estimate, || {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
@@ -91,13 +86,8 @@ pub extern "C" fn kstrip_estimate_friction(
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION, or an error of the law as kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_creepage_for_force"))]
 pub extern "C" fn kstrip_creepage_for_force(
-    contact: Option<&Contact<F>>,
-    fx: F,
-    fy: F,
-    spin: F,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    creepage: Option<&mut MaybeUninit<Creepage<F>>>,
+    contact: Option<&Contact<F>>, fx: F, fy: F, spin: F, friction: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
     fill_warned(creepage, || {
         rig::creepage_for_force(given(contact)?, [fx, fy], spin, friction, &for_forces(options)?)

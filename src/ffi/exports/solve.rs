@@ -40,9 +40,7 @@ use core::mem::MaybeUninit;
 ///         KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_solve"))]
 pub extern "C" fn kstrip_solve(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    options: Option<&kstrip_options>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     answer(|| {
@@ -74,10 +72,8 @@ pub extern "C" fn kstrip_solve(
 ///         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
 #[unsafe(export_name = symbol!("kstrip_evaluate"))]
 pub unsafe extern "C" fn kstrip_evaluate(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
+    friction: Option<&SlipFriction<F>>, options: Option<&kstrip_options>,
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
@@ -98,8 +94,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_prepare"))]
 pub extern "C" fn kstrip_prepare(
-    contact: Option<&Contact<F>>,
-    options: Option<&kstrip_options>,
+    contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
     prepared: Option<&mut MaybeUninit<Prepared<F>>>,
 ) -> kstrip_status {
     fill(prepared, || Prepared::new(given(contact)?, &for_forces(options)?))
@@ -113,8 +108,7 @@ pub extern "C" fn kstrip_prepare(
 /// @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
 #[unsafe(export_name = symbol!("kstrip_solve_prepared"))]
 pub extern "C" fn kstrip_solve_prepared(
-    prepared: Option<&Prepared<F>>,
-    creepage: Option<&Creepage<F>>,
+    prepared: Option<&Prepared<F>>, creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved(result, || given(prepared)?.solve(given(creepage)?))
@@ -137,11 +131,8 @@ pub extern "C" fn kstrip_solve_prepared(
 /// @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
 #[unsafe(export_name = symbol!("kstrip_solve_motion"))]
 pub unsafe extern "C" fn kstrip_solve_motion(
-    contact: Option<&Contact<F>>,
-    motion: Option<&Motion<F>>,
-    friction: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: Option<&MotionOutputs<F>>,
+    contact: Option<&Contact<F>>, motion: Option<&Motion<F>>, friction: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, outputs: Option<&MotionOutputs<F>>,
 ) -> kstrip_status {
     answer(|| {
         let (contact, motion, outputs) = (given(contact)?, given(motion)?, given(outputs)?);
@@ -169,8 +160,7 @@ pub unsafe extern "C" fn kstrip_solve_motion(
 #[unsafe(export_name = symbol!("kstrip_solve_total"))]
 #[cfg(feature = "total")]
 pub extern "C" fn kstrip_solve_total(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved_by::<Total<F>>(contact, creepage, 0, result)
@@ -183,9 +173,7 @@ pub extern "C" fn kstrip_solve_total(
 #[unsafe(export_name = symbol!("kstrip_solve_strip"))]
 #[cfg(feature = "strip")]
 pub extern "C" fn kstrip_solve_strip(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    strips: i32,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, strips: i32,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved_by::<EllipseStrips<F>>(contact, creepage, strips, result)
@@ -199,9 +187,7 @@ pub extern "C" fn kstrip_solve_strip(
 #[unsafe(export_name = symbol!("kstrip_solve_strip_1967"))]
 #[cfg(feature = "strip-1967")]
 pub extern "C" fn kstrip_solve_strip_1967(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    strips: i32,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, strips: i32,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved_by::<Strip1967>(contact, creepage, strips, result)
@@ -213,8 +199,7 @@ pub extern "C" fn kstrip_solve_strip_1967(
 #[unsafe(export_name = symbol!("kstrip_solve_linear"))]
 #[cfg(feature = "linear")]
 pub extern "C" fn kstrip_solve_linear(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     solved_by::<Linear<F>>(contact, creepage, 0, result)
@@ -227,8 +212,7 @@ pub extern "C" fn kstrip_solve_linear(
 /// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
 #[unsafe(export_name = symbol!("kstrip_result_on_upper_body"))]
 pub extern "C" fn kstrip_result_on_upper_body(
-    lower: Option<&MaybeUninit<Solution<F>>>,
-    upper: Option<&mut MaybeUninit<Solution<F>>>,
+    lower: Option<&MaybeUninit<Solution<F>>>, upper: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
     answer(|| {
         let (lower, upper) = (given(lower)?, given(upper)?);
@@ -247,9 +231,7 @@ pub extern "C" fn kstrip_result_on_upper_body(
 #[allow(dead_code)]
 #[inline]
 fn solved_by<M: Theory<F>>(
-    contact: Option<&Contact<F>>,
-    creepage: Option<&Creepage<F>>,
-    strips: i32,
+    contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, strips: i32,
     result: Output<Solution<F>>,
 ) -> kstrip_status {
     solved(result, || {
@@ -269,9 +251,7 @@ impl Outputs<F> {
     /// # Safety
     /// Every pointer is NULL, or valid and aligned for one write; no two overlap.
     pub(super) unsafe fn write(
-        &self,
-        solution: &Solution<F>,
-        friction: F,
+        &self, solution: &Solution<F>, friction: F,
         slopes: Option<(&Derivatives<F>, &LawDerivatives<F>)>,
     ) {
         // SAFETY: the caller's promise.
@@ -290,8 +270,7 @@ impl Outputs<F> {
     /// # Safety
     /// The pointers are NULL, or valid and aligned, that of the strips for `capacity` writes.
     pub(super) unsafe fn write_strips(
-        &self,
-        most: usize,
+        &self, most: usize,
         visit_strips: impl FnOnce(&mut dyn FnMut(StripResult<F>)) -> Result<Warning, Error>,
     ) -> Result<Warning, Error> {
         // SAFETY: the caller's promise.
@@ -314,11 +293,8 @@ impl Outputs<F> {
 /// Every pointer of the outputs is NULL, or valid and aligned for one write, that of the strips for
 /// `capacity`; no two overlap.
 unsafe fn evaluate(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: &Outputs<F>,
+    contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, outputs: &Outputs<F>,
 ) -> Result<Warning, Error> {
     let forces = for_forces(options)?;
     // By reference: avoids a copy of 200 bytes on the stack.
@@ -358,11 +334,8 @@ unsafe fn evaluate(
 /// As [`evaluate`].
 #[inline(never)]
 unsafe fn evaluate_strips(
-    contact: &Contact<F>,
-    creepage: &Creepage<F>,
-    law: Option<&SlipFriction<F>>,
-    options: Option<&kstrip_options>,
-    outputs: &Outputs<F>,
+    contact: &Contact<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>,
+    options: Option<&kstrip_options>, outputs: &Outputs<F>,
 ) -> Result<Warning, Error> {
     let options = &for_strips(options)?;
     let most = forces::strips_of(contact, creepage, options)?;

@@ -51,11 +51,7 @@ use core::mem::MaybeUninit;
 ///         1 km), KSTRIP_ERROR_SCATTER (no line follows the points).
 #[unsafe(export_name = symbol!("kstrip_prepare_profile"))]
 pub unsafe extern "C" fn kstrip_prepare_profile(
-    y: *const F,
-    z: *const F,
-    points: u32,
-    step: F,
-    smoothing_length: F,
+    y: *const F, z: *const F, points: u32, step: F, smoothing_length: F,
     surface: Option<&mut PreparedProfile<F>>,
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
@@ -82,12 +78,8 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ///         the error that names its likely cause, as in kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_touch"))]
 pub extern "C" fn kstrip_touch(
-    rail: Option<&PreparedProfile<F>>,
-    wheel: Option<&PreparedProfile<F>>,
-    wheel_radius: F,
-    position: Option<&Position<F>>,
-    reach: F,
-    gap: Option<&mut Gap<F>>,
+    rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, wheel_radius: F,
+    position: Option<&Position<F>>, reach: F, gap: Option<&mut Gap<F>>,
     least: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     answer(|| {
@@ -121,11 +113,8 @@ pub extern "C" fn kstrip_touch(
 ///         kstrip_patch_from_profile().
 #[unsafe(export_name = symbol!("kstrip_contacts_from_gap"))]
 pub unsafe extern "C" fn kstrip_contacts_from_gap(
-    gap: Option<&Gap<F>>,
-    pair: Option<&WheelPair<F>>,
-    position: Option<&Position<F>>,
-    workspace: Option<&mut Patch<F>>,
-    contacts: *mut WheelContact<F>,
+    gap: Option<&Gap<F>>, pair: Option<&WheelPair<F>>, position: Option<&Position<F>>,
+    workspace: Option<&mut Patch<F>>, contacts: *mut WheelContact<F>,
     count: Option<&mut MaybeUninit<u32>>,
 ) -> kstrip_status {
     // SAFETY: NULL or KSTRIP_CONTACTS_CAPACITY elements, says the header.
@@ -152,8 +141,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_wheel_motion"))]
 pub extern "C" fn kstrip_wheel_motion(
-    contact: Option<&WheelContact<F>>,
-    velocity: Option<&Velocity<F>>,
+    contact: Option<&WheelContact<F>>, velocity: Option<&Velocity<F>>,
     motion: Option<&mut MaybeUninit<Motion<F>>>,
 ) -> kstrip_status {
     fill(motion, || given(contact)?.checked_motion(given(velocity)?))
@@ -179,12 +167,8 @@ pub extern "C" fn kstrip_wheel_motion(
 ///         KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_NORMAL_DAMPING, KSTRIP_ERROR_FLOOR_SPEED.
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
 pub unsafe extern "C" fn kstrip_wrench_from_contacts(
-    contacts: *const WheelContact<F>,
-    count: u32,
-    velocity: Option<&Velocity<F>>,
-    model: i32,
-    friction: Option<&SlipFriction<F>>,
-    wrench: Option<&mut MaybeUninit<Wrench<F>>>,
+    contacts: *const WheelContact<F>, count: u32, velocity: Option<&Velocity<F>>, model: i32,
+    friction: Option<&SlipFriction<F>>, wrench: Option<&mut MaybeUninit<Wrench<F>>>,
     derivatives: Option<&mut MaybeUninit<WrenchDerivatives<F>>>,
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
@@ -235,13 +219,9 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ///         KSTRIP_ERROR_SWAPPED, KSTRIP_ERROR_ORIENTATION.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
-    rail: Option<&PreparedProfile<F>>,
-    wheel: Option<&PreparedProfile<F>>,
-    pair: Option<&WheelPair<F>>,
-    position: Option<&Position<F>>,
-    velocity: Option<&Velocity<F>>,
-    friction: Option<&SlipFriction<F>>,
-    workspace: Option<&mut Workspace<F>>,
+    rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>,
+    pair: Option<&WheelPair<F>>, position: Option<&Position<F>>, velocity: Option<&Velocity<F>>,
+    friction: Option<&SlipFriction<F>>, workspace: Option<&mut Workspace<F>>,
     wrench: Option<&mut MaybeUninit<Wrench<F>>>,
     derivatives: Option<&mut MaybeUninit<WrenchDerivatives<F>>>,
     by_position: Option<&mut MaybeUninit<WrenchByPosition<F>>>,
@@ -282,15 +262,10 @@ pub extern "C" fn kstrip_wheel_on_rail(
 ///         KSTRIP_ERROR_SUPPORT, or a status of kstrip_wheel_on_rail().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
-    rail: Option<&PreparedProfile<F>>,
-    wheel: Option<&PreparedProfile<F>>,
-    pair: Option<&WheelPair<F>>,
-    position: Option<&Position<F>>,
-    support: F,
-    velocity: Option<&Velocity<F>>,
-    friction: Option<&SlipFriction<F>>,
-    workspace: Option<&mut Workspace<F>>,
-    vertical: Option<&mut MaybeUninit<F>>,
+    rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>,
+    pair: Option<&WheelPair<F>>, position: Option<&Position<F>>, support: F,
+    velocity: Option<&Velocity<F>>, friction: Option<&SlipFriction<F>>,
+    workspace: Option<&mut Workspace<F>>, vertical: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     answer(|| {
         let scene = scene_of(rail, wheel, pair, friction)?;
@@ -303,10 +278,8 @@ pub extern "C" fn kstrip_height_for_load(
 }
 
 pub(super) fn scene_of<'a>(
-    rail: Option<&'a PreparedProfile<F>>,
-    wheel: Option<&'a PreparedProfile<F>>,
-    pair: Option<&'a WheelPair<F>>,
-    friction: Option<&'a SlipFriction<F>>,
+    rail: Option<&'a PreparedProfile<F>>, wheel: Option<&'a PreparedProfile<F>>,
+    pair: Option<&'a WheelPair<F>>, friction: Option<&'a SlipFriction<F>>,
 ) -> Result<Scene<'a, F>, Error> {
     let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);
     let (strips, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);

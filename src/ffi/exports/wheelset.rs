@@ -35,9 +35,7 @@ const CIRCLE_FROM_BACK: F = 70e-3;
 ///         KSTRIP_ERROR_GAUGE (depth).
 #[unsafe(export_name = symbol!("kstrip_gauge_face"))]
 pub extern "C" fn kstrip_gauge_face(
-    rail: Option<&PreparedProfile<F>>,
-    depth: F,
-    face: Option<&mut MaybeUninit<F>>,
+    rail: Option<&PreparedProfile<F>>, depth: F, face: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     fill_warned(face, || gauge_face(given(rail)?, depth))
 }
@@ -58,11 +56,8 @@ pub extern "C" fn kstrip_gauge_face(
 ///         KSTRIP_ERROR_ANGLE (yaw, roll or cant of 1 or more), KSTRIP_ERROR_OVERFLOW.
 #[unsafe(export_name = symbol!("kstrip_curve_motion"))]
 pub unsafe extern "C" fn kstrip_curve_motion(
-    curve: Option<&Curve<F>>,
-    position: Option<&Position<F>>,
-    relative: Option<&Velocity<F>>,
-    velocity: Option<&mut MaybeUninit<Velocity<F>>>,
-    weight: *mut F,
+    curve: Option<&Curve<F>>, position: Option<&Position<F>>, relative: Option<&Velocity<F>>,
+    velocity: Option<&mut MaybeUninit<Velocity<F>>>, weight: *mut F,
 ) -> kstrip_status {
     // SAFETY: NULL or three writable numbers, says the header.
     let weight = unsafe { place(weight.cast::<[F; 3]>()) };
@@ -101,11 +96,8 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 ///         origins, or no distance of the wheels).
 #[unsafe(export_name = symbol!("kstrip_wheelset_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelset_on_track(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
-    position: Option<&Position<F>>,
-    velocity: Option<&Velocity<F>>,
-    workspace: Option<&mut WheelsetWorkspace<F>>,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, position: Option<&Position<F>>,
+    velocity: Option<&Velocity<F>>, workspace: Option<&mut WheelsetWorkspace<F>>,
     forces: Option<&mut MaybeUninit<WheelsetForces<F>>>,
     derivatives: Option<&mut MaybeUninit<WheelsetDerivatives<F>>>,
     by_position: Option<&mut MaybeUninit<WheelsetByPosition<F>>>,
@@ -157,13 +149,9 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
 #[unsafe(export_name = symbol!("kstrip_wheelset_settle"))]
 pub unsafe extern "C" fn kstrip_wheelset_settle(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
-    start: Option<&Position<F>>,
-    velocity: Option<&Velocity<F>>,
-    loads: Option<&WheelsetLoads<F>>,
-    workspace: Option<&mut WheelsetWorkspace<F>>,
-    position: Option<&mut MaybeUninit<Position<F>>>,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, start: Option<&Position<F>>,
+    velocity: Option<&Velocity<F>>, loads: Option<&WheelsetLoads<F>>,
+    workspace: Option<&mut WheelsetWorkspace<F>>, position: Option<&mut MaybeUninit<Position<F>>>,
     moves: Option<&mut MaybeUninit<Velocity<F>>>,
     forces: Option<&mut MaybeUninit<WheelsetForces<F>>>,
 ) -> kstrip_status {
@@ -202,13 +190,8 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
 ///         difference, or one without a status of any shift.
 #[unsafe(export_name = symbol!("kstrip_rolling_radius_difference"))]
 pub unsafe extern "C" fn kstrip_rolling_radius_difference(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
-    shifts: *const F,
-    count: u32,
-    with_roll: i32,
-    workspace: Option<&mut WheelsetWorkspace<F>>,
-    differences: *mut F,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, shifts: *const F, count: u32,
+    with_roll: i32, workspace: Option<&mut WheelsetWorkspace<F>>, differences: *mut F,
     statuses: *mut kstrip_status,
 ) -> kstrip_status {
     // SAFETY: the pointers in the structures are NULL or valid, arrays have count elements, says
@@ -251,15 +234,8 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
 ///         KSTRIP_ERROR_ROLLING_RADIUS.
 #[unsafe(export_name = symbol!("kstrip_equivalent_conicity"))]
 pub unsafe extern "C" fn kstrip_equivalent_conicity(
-    shifts: *const F,
-    differences: *const F,
-    count: u32,
-    running_circles: F,
-    wheel_radius: F,
-    amplitudes: *const F,
-    number: u32,
-    conicities: *mut F,
-    wave_lengths: *mut F,
+    shifts: *const F, differences: *const F, count: u32, running_circles: F, wheel_radius: F,
+    amplitudes: *const F, number: u32, conicities: *mut F, wave_lengths: *mut F,
     statuses: *mut kstrip_status,
 ) -> kstrip_status {
     // SAFETY: arrays are NULL or have as many elements as their counts say, says the header.
@@ -290,8 +266,7 @@ pub unsafe extern "C" fn kstrip_equivalent_conicity(
 /// # Safety
 /// The pointers in both structures are NULL or valid.
 unsafe fn on_track(
-    set: Option<&WheelsetParts<F>>,
-    track: Option<&Track<F>>,
+    set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>,
     solve: impl FnOnce(&Wheelset<'_, F>) -> Result<Warning, Error>,
 ) -> kstrip_status {
     answer(|| {

@@ -73,8 +73,7 @@ impl<F: Float> Overlaps<F> {
     /// The zones of a curve, made of the numbers that `number` makes.
     #[inline(never)]
     pub fn of_curve<const N: usize>(
-        curve: &SmoothedProfile<F, N>,
-        number: impl Fn(Dual<F, N>) -> F,
+        curve: &SmoothedProfile<F, N>, number: impl Fn(Dual<F, N>) -> F,
     ) -> Self {
         let mut zones = Self { list: Vec::new() };
         curve.overlaps(number, |zone| zones.push(zone));

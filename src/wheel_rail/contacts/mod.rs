@@ -341,8 +341,7 @@ impl<F: Float> WheelContact<F> {
 /// Groups the zones. (Out of line, to keep no zones.)
 #[inline(never)]
 fn group_zones<F: Float, const N: usize>(
-    curve: &SmoothedProfile<F, N>,
-    groups: &mut Groups<F>,
+    curve: &SmoothedProfile<F, N>, groups: &mut Groups<F>,
 ) -> Result<(), Error> {
     Overlaps::of_curve(curve, |own| own.value).group(groups)
 }
@@ -365,12 +364,8 @@ pub struct ContactCount {
 /// [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(
-    gap: &Gap<F>,
-    pair: &WheelPair<F>,
-    position: &Position<F>,
-    count: StripCount,
-    strips: &mut Patch<F>,
-    contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
+    gap: &Gap<F>, pair: &WheelPair<F>, position: &Position<F>, count: StripCount,
+    strips: &mut Patch<F>, contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],
 ) -> Result<ContactCount, Error> {
     let view = View::new(gap, pair, position)?;
     let mut found = ContactCount { written: 0, warning: Warning::None };

@@ -57,10 +57,7 @@ struct Under<F> {
 impl<'a, F: Float> PointMoves<'a, F> {
     /// `position` is that of a right wheel, or of the mirror image of a left one.
     pub fn new(
-        lists: Lists<'a, F>,
-        rail: &'a PreparedProfile<F>,
-        position: &Position<F>,
-        left: bool,
+        lists: Lists<'a, F>, rail: &'a PreparedProfile<F>, position: &Position<F>, left: bool,
         reach: F,
     ) -> Self {
         let side = if left { -F::one() } else { F::one() };

@@ -49,10 +49,7 @@ impl<F: Float> Scene<'_, F> {
     /// in single precision to both. The memory of the last contact that there may be is used.
     #[inline(never)]
     pub(crate) fn add_slopes_by_position(
-        &self,
-        state: &BodyState<F>,
-        memory: &mut Workspace<F>,
-        found: &Wrench<F>,
+        &self, state: &BodyState<F>, memory: &mut Workspace<F>, found: &Wrench<F>,
         slopes: &mut WrenchByPosition<F>,
     ) -> Result<(), Error> {
         let Self { rail, pair, strips: count, .. } = *self;
@@ -130,12 +127,8 @@ struct ContactStep<F> {
 impl<F: Float> Steps<'_, F> {
     /// Adds the wrenches of all contacts after the steps, of which those backward count negative.
     fn add_wrenches(
-        &self,
-        profile: &Profile<F>,
-        curve: &mut SmoothedProfile<F, TOGETHER>,
-        groups: &[Group<F>],
-        room: &mut Room<F>,
-        columns: &mut [&mut [F; 6]],
+        &self, profile: &Profile<F>, curve: &mut SmoothedProfile<F, TOGETHER>, groups: &[Group<F>],
+        room: &mut Room<F>, columns: &mut [&mut [F; 6]],
     ) -> Result<(), Error> {
         let mut rates = [[F::zero(); GROUPS]; TOGETHER];
         for (k, rates) in rates.iter_mut().enumerate() {
@@ -169,10 +162,7 @@ impl<F: Float> Steps<'_, F> {
 
     /// The wrench of a contact after one of these steps.
     fn wrench_after(
-        &self,
-        step: &ContactStep<F>,
-        pressed: &mut Indentation<F>,
-        room: &mut Room<F>,
+        &self, step: &ContactStep<F>, pressed: &mut Indentation<F>, room: &mut Room<F>,
     ) -> Result<[F; 6], Error> {
         let Self { scene, view, state, moves, .. } = *self;
         let Room { cells, strips, contact } = room;
@@ -200,9 +190,7 @@ fn change<F: Float>(cell: &Cell<F, TOGETHER>, k: usize, step: F) -> F {
 
 /// Shares of steps over which all cells change by little, at least [`SHORTEST`].
 fn shorten<F: Float>(
-    cells: &Cells<F, TOGETHER>,
-    steps: &[F; TOGETHER],
-    shares: &mut [F; TOGETHER],
+    cells: &Cells<F, TOGETHER>, steps: &[F; TOGETHER], shares: &mut [F; TOGETHER],
 ) {
     for cell in cells.list.iter() {
         for (k, (step, share)) in steps.iter().zip(shares.iter_mut()).enumerate() {
@@ -215,9 +203,7 @@ fn shorten<F: Float>(
 /// Lessens the derivatives of cells that would change by much over shares of steps, so that strips
 /// keep their order: `c d/dq` with `c = min(1, 0.1/(h ρ))`.
 fn bound_changes<F: Float>(
-    cells: &mut Cells<F, TOGETHER>,
-    steps: &[F; TOGETHER],
-    shares: &[F; TOGETHER],
+    cells: &mut Cells<F, TOGETHER>, steps: &[F; TOGETHER], shares: &[F; TOGETHER],
 ) {
     for cell in cells.list.iter_mut() {
         for (k, (step, share)) in steps.iter().zip(shares).enumerate() {
@@ -238,10 +224,7 @@ fn bound_changes<F: Float>(
 /// at least 1.06 times its largest change, so that the difference of both sides keeps the whole
 /// derivative: `p₊ − p₋ = 2 h p'`.
 fn keep_pressures<F: Float>(
-    cells: &mut Cells<F, TOGETHER>,
-    steps: &[F; TOGETHER],
-    shares: &[F; TOGETHER],
-    sides: usize,
+    cells: &mut Cells<F, TOGETHER>, steps: &[F; TOGETHER], shares: &[F; TOGETHER], sides: usize,
 ) {
     for Cell { pressure, .. } in
         cells.list.iter_mut().filter(|cell| cell.pressure.value > F::zero())
@@ -262,9 +245,7 @@ fn keep_pressures<F: Float>(
 /// need not be kept.)
 #[inline(never)]
 fn rates_of_shares<F: Float>(
-    curve: &SmoothedProfile<F, TOGETHER>,
-    groups: &[Group<F>],
-    direction: usize,
+    curve: &SmoothedProfile<F, TOGETHER>, groups: &[Group<F>], direction: usize,
     rates: &mut [F; GROUPS],
 ) -> Result<(), Error> {
     if groups.iter().all(|group| group.share == F::one()) {
@@ -309,11 +290,7 @@ impl<'a, F: Float> View<'a, F> {
     /// h = √ε/(D/5 + C/2.8),   D = |d'|/δ + √(u'² + x'²)/√(δ r),   C = α'/√υ
     /// ```
     fn length_of_step(
-        &self,
-        moves: &PointMoves<F>,
-        direction: usize,
-        deepest: F,
-        creepage: F,
+        &self, moves: &PointMoves<F>, direction: usize, deepest: F, creepage: F,
     ) -> F {
         let [_, distance, ..] = self.lists;
         let lower = |(lowest, least), (k, own): (usize, &F)| {

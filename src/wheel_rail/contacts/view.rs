@@ -51,9 +51,7 @@ pub(super) struct View<'a, F> {
 
 impl<'a, F: Float> View<'a, F> {
     pub fn new(
-        gap: &'a Gap<F>,
-        pair: &'a WheelPair<F>,
-        position: &Position<F>,
+        gap: &'a Gap<F>, pair: &'a WheelPair<F>, position: &Position<F>,
     ) -> Result<Self, Error> {
         pair.check()?;
         position.check()?;
@@ -146,12 +144,8 @@ impl<'a, F: Float> View<'a, F> {
 
     /// Presses a part of the curve together as far as the surfaces overlap; fills the cells.
     pub fn press<const N: usize>(
-        &self,
-        profile: &Profile<F>,
-        curve: &SmoothedProfile<F, N>,
-        approach: Dual<F, N>,
-        count: StripCount,
-        cells: &mut Cells<F, N>,
+        &self, profile: &Profile<F>, curve: &SmoothedProfile<F, N>, approach: Dual<F, N>,
+        count: StripCount, cells: &mut Cells<F, N>,
     ) -> Result<Indentation<F>, Error> {
         let contact = self.contact(approach.value);
         let found = Indentation::of_surfaces(profile, curve, &contact, approach, count, cells)?;
@@ -160,10 +154,7 @@ impl<'a, F: Float> View<'a, F> {
 
     /// The strips of cells, made of the numbers that `of` makes; completes the result.
     pub fn strips<const N: usize>(
-        &self,
-        cells: &Cells<F, N>,
-        of: impl Fn(Dual<F, N>) -> F,
-        found: &mut Indentation<F>,
+        &self, cells: &Cells<F, N>, of: impl Fn(Dual<F, N>) -> F, found: &mut Indentation<F>,
         strips: &mut Patch<F>,
     ) -> Result<(), Error> {
         let contact = self.contact(found.approach);

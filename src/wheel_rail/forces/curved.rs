@@ -56,10 +56,7 @@ pub(super) fn has_own_slip<F: Float>(contact: &WheelContact<F>, law: Law<F>) -> 
 /// The creep forces, without `SLOPES` all derivatives of which are zero.
 #[inline(never)]
 pub(super) fn creep<F: Float, const SLOPES: bool>(
-    contact: &WheelContact<F>,
-    mut pressed: Pressed<F>,
-    velocity: &[F; 6],
-    rolling: &Rolling<F>,
+    contact: &WheelContact<F>, mut pressed: Pressed<F>, velocity: &[F; 6], rolling: &Rolling<F>,
     law: Law<F>,
 ) -> Result<Creep<F>, Error> {
     let Law { model, .. } = law;
@@ -119,9 +116,7 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
 
 /// `B` of a strip.
 fn rows_of_strip<F: Float>(
-    contact: &WheelContact<F>,
-    axes: &Axes<F>,
-    number: usize,
+    contact: &WheelContact<F>, axes: &Axes<F>, number: usize,
 ) -> [[F; 6]; 3] {
     let of = |list: &[F]| at(list, number);
     let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
@@ -199,10 +194,7 @@ impl<F: Float> StripSums<F> {
 
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     fn creep(
-        &self,
-        view: &PatchView<F>,
-        creepage: &Creepage<F>,
-        rest: &Creepage<F>,
+        &self, view: &PatchView<F>, creepage: &Creepage<F>, rest: &Creepage<F>,
         rows: &dyn Fn(usize) -> [[F; 6]; 3],
     ) -> Result<Creep<F>, Error> {
         let Self { velocity, speed, falling, model } = *self;
@@ -262,11 +254,7 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
 impl<F: Float> Creep<F> {
     /// Adds what the change of the share of friction does to the derivatives at a constant share.
     fn follow_share(
-        &mut self,
-        sums: &StripSums<F>,
-        found: &Visited<F>,
-        power_by_mismatch: F,
-        per_speed: F,
+        &mut self, sums: &StripSums<F>, found: &Visited<F>, power_by_mismatch: F, per_speed: F,
     ) {
         let StripSums { wrench, power, power_by_velocity, along, power_along, .. } = *sums;
         let (zero, one) = (F::zero(), F::one());

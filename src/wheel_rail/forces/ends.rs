@@ -34,9 +34,7 @@ impl<F: Float> Pressed<'_, F> {
     /// ends have the mismatch `±κ V/V_f`, of this ratio. The function learns
     /// whether the patch is turned.
     pub fn each_end<S: Copy>(
-        &mut self,
-        rolling: &Rolling<F>,
-        ratio: F,
+        &mut self, rolling: &Rolling<F>, ratio: F,
         solve: impl Fn(&PatchView<F>, &Creepage<F>, bool) -> Result<S, Error>,
     ) -> Result<[S; 2], Error> {
         rolling.each_end(|creepage, is_turned| {

@@ -100,9 +100,7 @@ impl<F: Float> Wrench<F> {
 /// [`Error::NotFinite`]; those of [`solver::solve_patch`],
 /// [`patch::friction::solve_patch_with_law`] and [`Patch::view`](patch::Patch::view).
 pub fn of_contacts<F: Float>(
-    contacts: &[WheelContact<F>],
-    velocity: &Velocity<F>,
-    law: Law<F>,
+    contacts: &[WheelContact<F>], velocity: &Velocity<F>, law: Law<F>,
     derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
     let mut room = Patch::nothing();
@@ -111,10 +109,7 @@ pub fn of_contacts<F: Float>(
 
 /// The same with memory for a patch.
 pub(crate) fn of_contacts_in<F: Float>(
-    room: &mut Patch<F>,
-    contacts: &[WheelContact<F>],
-    velocity: &Velocity<F>,
-    law: Law<F>,
+    room: &mut Patch<F>, contacts: &[WheelContact<F>], velocity: &Velocity<F>, law: Law<F>,
     derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
     match derivatives {
@@ -126,10 +121,7 @@ pub(crate) fn of_contacts_in<F: Float>(
 /// The same; without `SLOPES` no derivatives, which takes less than half of the stack.
 #[inline(never)]
 pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
-    room: &mut Patch<F>,
-    contacts: &[WheelContact<F>],
-    velocity: &Velocity<F>,
-    law: Law<F>,
+    room: &mut Patch<F>, contacts: &[WheelContact<F>], velocity: &Velocity<F>, law: Law<F>,
     derivatives: Option<&mut WrenchDerivatives<F>>,
 ) -> Result<Wrench<F>, Error> {
     let mut derivatives = derivatives.filter(|_| SLOPES);
@@ -273,9 +265,7 @@ impl<F: Float> Pressed<'_, F> {
     /// The same with their derivatives with respect to motion. The derivative with respect to
     /// friction is that with respect to a factor of all coefficients.
     fn differentiated(
-        &mut self,
-        rolling: &Rolling<F>,
-        law: Law<F>,
+        &mut self, rolling: &Rolling<F>, law: Law<F>,
     ) -> Result<(Solution<F>, MotionDerivatives<F>), Error> {
         let falling = at_speed(law, rolling.speed);
         let differentiate = |patch: &PatchView<F>, creepage: &Creepage<F>, _: bool| {
@@ -297,9 +287,7 @@ impl<F: Float> Pressed<'_, F> {
 }
 
 fn joined_solutions<F: Float>(
-    rolling: &Rolling<F>,
-    ahead: Solution<F>,
-    behind: Solution<F>,
+    rolling: &Rolling<F>, ahead: Solution<F>, behind: Solution<F>,
 ) -> Solution<F> {
     let [fx, fy, mz] = rolling.both_ends(ahead.components(), behind.components());
     let warning = ahead.warning.worse(behind.warning);

@@ -81,12 +81,7 @@ impl<'a, F: Float> Knots<'a, F> {
 
     /// Gathers the points of a profile, but for strays: those farther from its spine than a radius.
     pub(super) fn collect_points(
-        &mut self,
-        is_weighted: bool,
-        spine: &Polyline<F>,
-        radius: F,
-        y: &[F],
-        z: &[F],
+        &mut self, is_weighted: bool, spine: &Polyline<F>, radius: F, y: &[F], z: &[F],
     ) {
         (self.is_weighted, self.count) = (is_weighted, 0);
         let cell = (spine.length() + radius.times(2.0)).times(1.0 / CELLS);
@@ -156,10 +151,7 @@ impl<'a, F: Float> Knots<'a, F> {
 
     /// Adds a point to the average of its cell, searched from a knot on; returns the cell's knot.
     fn add(
-        &mut self,
-        knot: PointAverage<F>,
-        mut near: usize,
-        cell_of: impl Fn(PointAverage<F>) -> i32,
+        &mut self, knot: PointAverage<F>, mut near: usize, cell_of: impl Fn(PointAverage<F>) -> i32,
     ) -> usize {
         let cell = cell_of(knot);
         while near > 0 && self.knot(near).is_some_and(|other| cell_of(other) > cell) {

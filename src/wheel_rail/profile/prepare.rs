@@ -55,11 +55,7 @@ impl<F: Float> PreparedProfile<F> {
     /// points than there is room for; [`Error::Overflow`] for a profile smaller than 1 µm or larger
     /// than 1 km; [`Error::Scatter`] for points that no line follows.
     pub fn prepare(
-        &mut self,
-        y: &[F],
-        z: &[F],
-        step: F,
-        smoothing_length: F,
+        &mut self, y: &[F], z: &[F], step: F, smoothing_length: F,
     ) -> Result<Warning, Error> {
         Error::Profile.when(y.len() < 4 || y.len() != z.len())?;
         Error::NotFinite.unless([y, z, &[step, smoothing_length]].into_iter().all(are_finite))?;
@@ -145,10 +141,7 @@ fn extent<F: Float>(y: &[F], z: &[F]) -> Result<F, Error> {
 /// The smoothing length of a profile of few points, so far apart, and whether between them lies
 /// what nobody measured; `coarse` is 0 to 1. The line is overwritten.
 fn default_smoothing<F: Float>(
-    knots: &Knots<F>,
-    line: &mut Polyline<F>,
-    apart: F,
-    coarse: F,
+    knots: &Knots<F>, line: &mut Polyline<F>, apart: F, coarse: F,
 ) -> (F, bool) {
     knots.smooth(apart.times(TRIED), line);
     let [mean, farthest] = knots.distances(line);

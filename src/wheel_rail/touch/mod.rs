@@ -135,10 +135,7 @@ impl<F: Float> Above<'_, F> {
     /// `k + 1`, of which the former is over the rail or the latter.
     #[inline(never)]
     fn last(
-        &mut self,
-        k: usize,
-        is_former: bool,
-        inside: Option<&GapPoint<F>>,
+        &mut self, k: usize, is_former: bool, inside: Option<&GapPoint<F>>,
     ) -> Option<GapPoint<F>> {
         let [_, distance, ..] = inside?;
         if *distance >= self.reach.times(0.5) {
@@ -239,9 +236,7 @@ impl<'a, F: Float> GapSearch<'a, F> {
     /// [`Error::NotPrepared`], [`Error::NotFinite`], [`Error::RollingRadius`];
     /// [`Error::Angle`] for an angle of one or more.
     pub fn new(
-        rail: &'a PreparedProfile<F>,
-        wheel: &'a PreparedProfile<F>,
-        wheel_radius: F,
+        rail: &'a PreparedProfile<F>, wheel: &'a PreparedProfile<F>, wheel_radius: F,
         position: &Position<F>,
     ) -> Result<Self, Error> {
         Error::NotFinite.unless(wheel_radius.is_finite_number())?;
@@ -252,18 +247,14 @@ impl<'a, F: Float> GapSearch<'a, F> {
     /// The wheel of a pair that was checked, at the position of a right wheel, or of the mirror
     /// image of a left one.
     pub(super) fn of_pair(
-        rail: &'a PreparedProfile<F>,
-        wheel: &'a PreparedProfile<F>,
-        pair: &WheelPair<F>,
+        rail: &'a PreparedProfile<F>, wheel: &'a PreparedProfile<F>, pair: &WheelPair<F>,
         right: &Position<F>,
     ) -> Result<Self, Error> {
         Self::of_turned(rail, wheel, Wheel::of_pair(pair, right), right)
     }
 
     fn of_turned(
-        rail: &'a PreparedProfile<F>,
-        wheel: &'a PreparedProfile<F>,
-        turned: Wheel<F>,
+        rail: &'a PreparedProfile<F>, wheel: &'a PreparedProfile<F>, turned: Wheel<F>,
         position: &Position<F>,
     ) -> Result<Self, Error> {
         position.check()?;

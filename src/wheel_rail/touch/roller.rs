@@ -61,10 +61,7 @@ impl<F: Float> Roller<F> {
     /// the track's; the profile has a radius, a place along the axle, and a direction there.
     #[inline]
     pub fn sine<P: Strips<F>>(
-        &self,
-        turn: impl Fn([P; 3]) -> [P; 3],
-        [radius, y]: [P; 2],
-        [cosine, sine]: [P; 2],
+        &self, turn: impl Fn([P; 3]) -> [P; 3], [radius, y]: [P; 2], [cosine, sine]: [P; 2],
         mut sin: P,
     ) -> P {
         let zero = P::zero();

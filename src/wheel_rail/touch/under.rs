@@ -111,10 +111,7 @@ impl<'a, F: Float> Rail<'a, F> {
     /// next, nearest to the share 0 or 1 of the way. None where the rail is out of reach. The
     /// normal of the surface has a length.
     pub fn under(
-        &mut self,
-        [y, z]: [F; 2],
-        [normal_y, normal_z]: [F; 2],
-        length: F,
+        &mut self, [y, z]: [F; 2], [normal_y, normal_z]: [F; 2], length: F,
     ) -> Option<(usize, F)> {
         let (k, away) = self.find([y, z])?;
         let rail = self.surface.point(k)?;
@@ -142,9 +139,7 @@ impl<'a, F: Float> Rail<'a, F> {
     /// The rail's points under others, side by side; numbers without a meaning where there is none.
     #[inline(always)]
     pub fn feet<P: Strips<F>, const N: usize>(
-        &self,
-        [y, z]: [P; 2],
-        under: &[Option<(usize, F)>; N],
+        &self, [y, z]: [P; 2], under: &[Option<(usize, F)>; N],
     ) -> Foot<P> {
         let start = |i: usize| under.get(i).copied().flatten().unwrap_or((0, F::zero()));
         let step = P::all(self.surface.step);

@@ -38,11 +38,7 @@ pub fn model_of(options: Option<kstrip_options>) -> i32 {
 
 /// What holds for every result.
 fn plausible(
-    contact: &kstrip_contact,
-    k: &kstrip_creepage,
-    model: i32,
-    status: i32,
-    r: &kstrip_result,
+    contact: &kstrip_contact, k: &kstrip_creepage, model: i32, status: i32, r: &kstrip_result,
 ) {
     let context = || format!("{contact:?} {k:?} model {model} {r:?}");
     assert_eq!((r.warning.code(), r.reserved), (status, 0));
@@ -80,9 +76,7 @@ pub fn same_bits(one: &kstrip_result, two: &kstrip_result) {
 
 /// `kstrip_solve` once more, for what must be equal.
 pub fn solved(
-    contact: &kstrip_contact,
-    k: &kstrip_creepage,
-    options: Option<kstrip_options>,
+    contact: &kstrip_contact, k: &kstrip_creepage, options: Option<kstrip_options>,
 ) -> Result<kstrip_result, i32> {
     let mut out = poisoned();
     let status = kstrip_solve(Some(contact), Some(k), options.as_ref(), Some(&mut out));
@@ -112,8 +106,7 @@ pub fn solve(bytes: &mut Bytes) {
 
 /// The functions of one model each, which answer like `kstrip_solve`.
 fn of_one_model(
-    bytes: &mut Bytes,
-    model: i32,
+    bytes: &mut Bytes, model: i32,
     call: impl FnOnce(
         Option<&kstrip_contact>,
         Option<&kstrip_creepage>,
@@ -379,9 +372,7 @@ pub const MOST_STRIPS: usize = KSTRIP_STRIPS_CAPACITY as usize + 1;
 
 /// What holds for the strips of a contact: within the contact, and bounded.
 fn plausible_strips(
-    contact: &kstrip_contact,
-    law: Option<&kstrip_friction>,
-    strips: &[kstrip_strip],
+    contact: &kstrip_contact, law: Option<&kstrip_friction>, strips: &[kstrip_strip],
     context: impl Fn() -> String,
 ) {
     if contact.is_lost() {
@@ -516,12 +507,8 @@ pub fn friction_of(bytes: &mut Bytes) -> kstrip_friction {
 
 /// With the friction that was found, the result is one of a contact of that friction.
 fn plausible_friction(
-    contact: &kstrip_contact,
-    k: &kstrip_creepage,
-    friction: &kstrip_friction,
-    model: i32,
-    r: &kstrip_result,
-    effective: Option<Float>,
+    contact: &kstrip_contact, k: &kstrip_creepage, friction: &kstrip_friction, model: i32,
+    r: &kstrip_result, effective: Option<Float>,
 ) {
     let found = effective.unwrap_or(friction.friction);
     assert!(found >= 0.0 && found <= friction.friction, "{contact:?} {k:?} {friction:?} {found}");

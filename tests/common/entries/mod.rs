@@ -229,9 +229,7 @@ fn answered(status: i32, outputs_untouched: bool) -> bool {
 /// what was written, if it is an answer.
 #[track_caller]
 fn asked<T: Copy>(
-    bytes: &mut Bytes,
-    inputs: u8,
-    call: impl FnOnce(Given, Option<&mut MaybeUninit<T>>) -> i32,
+    bytes: &mut Bytes, inputs: u8, call: impl FnOnce(Given, Option<&mut MaybeUninit<T>>) -> i32,
 ) -> Option<(i32, T)> {
     let given = bytes.given();
     let mut out = poisoned();

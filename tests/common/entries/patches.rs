@@ -54,8 +54,7 @@ fn from_contact(bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>) 
 
 /// A profile that is mostly a hollow with some roughness.
 fn from_profile(
-    bytes: &mut Bytes,
-    out: Option<&mut MaybeUninit<kstrip_patch>>,
+    bytes: &mut Bytes, out: Option<&mut MaybeUninit<kstrip_patch>>,
     found: Option<&mut MaybeUninit<kstrip_profile_result>>,
 ) -> i32 {
     const POINTS: usize = 10;
@@ -242,11 +241,7 @@ fn summarize(bytes: &mut Bytes) {
 
 /// What holds for the result of a patch that was solved.
 fn plausible(
-    patch: &kstrip_patch,
-    k: &kstrip_creepage,
-    model: i32,
-    status: i32,
-    r: &kstrip_result,
+    patch: &kstrip_patch, k: &kstrip_creepage, model: i32, status: i32, r: &kstrip_result,
 ) {
     let context = || format!("{patch:?} {k:?} model {model} {r:?}");
     assert_eq!((r.warning.code(), r.reserved), (status, 0));
@@ -324,10 +319,7 @@ fn patch_evaluate(bytes: &mut Bytes) {
 
 /// What holds for a point of a patch: the friction is that of a strip, so the largest bounds it.
 fn plausible_place(
-    patch: &kstrip_patch,
-    k: &kstrip_creepage,
-    options: Option<kstrip_options>,
-    p: &kstrip_point,
+    patch: &kstrip_patch, k: &kstrip_creepage, options: Option<kstrip_options>, p: &kstrip_point,
 ) {
     let strips = &patch.strips[..patch.count as usize];
     let friction = strips.iter().fold(0.0, |most: Float, strip| most.max(strip.friction));

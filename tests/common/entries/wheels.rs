@@ -16,8 +16,7 @@ fn is_first_bad(status: i32, statuses: &[i32]) {
 
 /// An element of a batch with its status is that of a single call.
 fn is_that_of<T: Copy + PartialEq + std::fmt::Debug>(
-    (own, out): (i32, &MaybeUninit<T>),
-    (expected, single): (i32, &MaybeUninit<T>),
+    (own, out): (i32, &MaybeUninit<T>), (expected, single): (i32, &MaybeUninit<T>),
 ) {
     assert_eq!(own, expected);
     if own < 0 {
