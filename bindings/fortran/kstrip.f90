@@ -45,6 +45,8 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_young = 29
    integer(c_int32_t), parameter :: kstrip_warning_per_cent = 30
    integer(c_int32_t), parameter :: kstrip_warning_damping = 31
+   integer(c_int32_t), parameter :: kstrip_warning_second_minimum = 32
+   integer(c_int32_t), parameter :: kstrip_warning_fit_bound = 33
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3

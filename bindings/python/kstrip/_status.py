@@ -13,11 +13,14 @@ _package = os.path.dirname(os.path.abspath(__file__))
 _names = {value: name for name, value in constants.items() if name.startswith(("KSTRIP_WARNING_", "KSTRIP_ERROR_"))}
 
 #: Of several warnings the one with the largest number is reported: the order of kstrip.h.
-_RANK = {"NOT_CONVERGED": 5, "SEVERAL_FRICTIONS": 4, "SUPPORT": 4, "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "UNDETERMINED": 3, "PRESSURE": 2, "CREEPAGE": 2,
-         "SEMI_AXIS": 2, "SPIN_UNIT": 2, "FRICTION": 2, "RADIUS": 2,
-         "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2, "UNSET": 2, "CURVATURE": 2, "YOUNG": 2, "PER_CENT": 2, "DAMPING": 2,
-          "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1,
-         "ROUGH": 1}
+_RANK = {
+    "NOT_CONVERGED": 5,
+    "SEVERAL_FRICTIONS": 4, "SUPPORT": 4,
+    "FRICTION_AT_LEAST": 3, "CREEPAGE_AT_LEAST": 3, "UNDETERMINED": 3, "SECOND_MINIMUM": 3, "FIT_BOUND": 3,
+    "PRESSURE": 2, "CREEPAGE": 2, "SEMI_AXIS": 2, "SPIN_UNIT": 2, "FRICTION": 2, "RADIUS": 2, "ORIENTATION": 2, "PROFILE_SIZE": 2, "MODULUS": 2,
+    "UNSET": 2, "CURVATURE": 2, "YOUNG": 2, "PER_CENT": 2, "DAMPING": 2,
+    "BEYOND_FRICTION": 1, "ANGLE_RANGE": 1, "PROFILE_END": 1, "PROFILE_COARSE": 1, "ROUGH": 1,
+}
 
 
 def text_of(status: int, index: Optional[tuple[int, ...]] = None) -> str:
