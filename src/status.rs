@@ -343,11 +343,11 @@ statuses! {
         KSTRIP_WARNING_DAMPING Damping = 31 gravity IMPLAUSIBLE:
             "implausible damping, which more than doubles the pressure: it is probably in N s/m",
             "pass the damping divided by the load, in s/m";
-        KSTRIP_WARNING_SECOND_MINIMUM SecondMinimum = 32 gravity 4:
+        KSTRIP_WARNING_SECOND_MINIMUM SecondMinimum = 32 gravity 2:
             "another law fits the measured points as well: its residual is at most 1 per cent \
              larger",
             "fit fewer parameters, or measure at other creepages";
-        KSTRIP_WARNING_FIT_BOUND FitBound = 33 gravity 4:
+        KSTRIP_WARNING_FIT_BOUND FitBound = 33 gravity 2:
             "a fitted parameter of a law ended at its bound, beyond which the law would come \
              nearer to the measured points",
             "check the units of the points, or fit other parameters";

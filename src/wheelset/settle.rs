@@ -1,9 +1,9 @@
 //! Height, roll and pitch rate of a wheelset under given loads.
 //!
 //! The heights of both wheels, which are vertical position and roll, follow from vertical force and
-//! roll moment at any pitch rate (`balance`). The moment about the axle falls
-//! with the pitch rate from the one at which all wheels drive to the one at which all wheels brake,
-//! and a bracket contains the root. The search begins at the pitch rate of pure rolling on the mean
+//! roll moment at any pitch rate: the file `balance`. The moment about the axle falls with the pitch
+//! rate from the one at which all wheels drive to the one at which all wheels brake, and a bracket
+//! contains the root. The search begins at the pitch rate of pure rolling on the mean
 //! radius, and goes on by Newton's method. If the heights find no balance on the way, it begins
 //! again at the pitch rate at which one of the contacts rolls purely. If no search ends with both
 //! wheels on the rails, all begin again, and one wheel may lift: the other one then balances the
@@ -69,8 +69,9 @@ impl<F: Float> Wheelset<'_, F> {
     /// # Errors
     /// [`Error::NotFinite`]; [`Error::Support`] for a vertical load that is not positive;
     /// [`Error::WheelLifted`] if no heights balance force and roll moment, not even with one of the
-    /// wheels lifted; [`Error::ForceBeyondFriction`] for a torque that friction does not carry;
-    /// those of [`Wheelset::solve`].
+    /// wheels lifted, or the error that names an implausible input then;
+    /// [`Error::ForceBeyondFriction`] for a torque that friction does not carry; those of
+    /// [`Wheelset::solve`].
     pub fn settle(
         &self, start: &BodyState<F>, loads: &WheelsetLoads<F>, memory: &mut WheelsetWorkspace<F>,
     ) -> Result<Settled<F>, Error> {
@@ -106,7 +107,8 @@ impl<F: Float> Wheelset<'_, F> {
             Ok(_) | Err(Error::ForceBeyondFriction) => found,
             Err(error) => {
                 search.loaded.may_lift = true;
-                search.balance_from_any(&start, &rates).map_err(|_| error)
+                let found = search.balance_from_any(&start, &rates);
+                found.map_err(|_| right.cause().named(error, &position))
             }
         }
     }

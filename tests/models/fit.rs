@@ -418,3 +418,20 @@ fn a_bound_is_named() {
     assert_eq!((found.warning, found.law.slope_factor), (Warning::FitBound, 1.0));
     assert_eq!(found.standard_errors.slope_factor, 0.0);
 }
+
+/// Creepages in per cent give the same law with a slope factor that is too small, and its warning
+/// goes before that of a ratio at its bound.
+#[test]
+fn creepages_in_per_cent_are_told() {
+    let in_per_cent = |point: MeasuredForce<f64>| MeasuredForce {
+        longitudinal: 100.0 * point.longitudinal,
+        ..point
+    };
+    let points: Vec<_> = measured().into_iter().map(in_per_cent).collect();
+    let found = fit(&points, ONE, START);
+    assert_eq!(found.warning, Warning::PerCent);
+    assert!(found.law.slope_factor < 0.05, "{found:?}");
+    let right = fit(&measured(), ONE, START);
+    assert_ne!(right.warning, Warning::PerCent);
+    assert_relative_eq!(right.residual, found.residual, max_relative = 1e-3);
+}

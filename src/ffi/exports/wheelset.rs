@@ -161,10 +161,7 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
             let start = BodyState { position: *given(start)?, velocity: *given(velocity)? };
             let (loads, memory) = (given(loads)?, given(workspace)?);
             let (position, moves) = (given(position)?, given(moves)?);
-            let [scene, _] = wheelset.scenes;
-            let found = wheelset
-                .settle(&start, loads, memory)
-                .map_err(|error| scene.cause().named(error, &start.position))?;
+            let found = wheelset.settle(&start, loads, memory)?;
             position.write(found.state.position);
             moves.write(found.state.velocity);
             put(forces, found.forces);
