@@ -1,9 +1,9 @@
 //! Height, roll and pitch rate of a wheelset under given loads.
 //!
 //! The heights of both wheels, which are vertical position and roll, follow from vertical force and
-//! roll moment at any pitch rate: the file `balance`. The moment about the axle falls with the pitch
-//! rate from the one at which all wheels drive to the one at which all wheels brake, and a bracket
-//! contains the root. The search begins at the pitch rate of pure rolling on the mean
+//! roll moment at any pitch rate: the file `balance`. The moment about the axle falls with the
+//! pitch rate from the one at which all wheels drive to the one at which all wheels brake, and a
+//! bracket contains the root. The search begins at the pitch rate of pure rolling on the mean
 //! radius, and goes on by Newton's method. If the heights find no balance on the way, it begins
 //! again at the pitch rate at which one of the contacts rolls purely. If no search ends with both
 //! wheels on the rails, all begin again, and one wheel may lift: the other one then balances the
