@@ -48,15 +48,15 @@ static void check(kstrip_status status)
 
 static void read_profile(const char *folder, const char *name, kstrip_surface *surface)
 {
-    char text[512];
+    static char text[100000];
     double y[1000], z[1000];
     uint32_t points = 0;
     snprintf(text, sizeof text, "%s/%s", folder, name);
-    FILE *file = fopen(text, "r");
+    FILE *file = fopen(text, "rb");
     if (file == NULL) perror(text), exit(EXIT_FAILURE);
-    while (points < 1000 && fgets(text, sizeof text, file) != NULL)
-        if (sscanf(text, "%lf,%lf", &y[points], &z[points]) == 2) y[points] *= 1e-3, z[points++] *= 1e-3;
+    const uint32_t length = (uint32_t)fread(text, 1, sizeof text, file);
     fclose(file);
+    check(kstrip_read_profile(text, length, KSTRIP_FORMAT_ANY, y, z, 1000, &points, NULL));
     check(kstrip_prepare_profile(y, z, points, 0, 0, surface));
 }
 

@@ -3,19 +3,13 @@
 #include "kstrip.hpp"
 
 #include <cstdio>
-#include <fstream>
 #include <string>
 using namespace kstrip::literals;
 
 kstrip::surface profile(const std::string &name)
 {
-    std::ifstream file("tests/data/wheel_rail/" + name + ".csv");
-    file.ignore(80, '\n');
-    std::vector<double> y, z;
-    char comma;
-    for (double a, b; file >> a >> comma >> b;)
-        y.push_back(1e-3 * a), z.push_back(1e-3 * b);
-    return kstrip::prepare_profile(y, z);
+    const auto points = kstrip::read_profile("tests/data/wheel_rail/" + name + ".csv");
+    return kstrip::prepare_profile(points.y, points.z);
 }
 
 int main()

@@ -2,18 +2,13 @@
 //   c++ -std=c++17 -O2 -Iinclude cpp_examples/03_bogie.cpp target/lib/libkstrip.a -o bogie
 #include "kstrip.hpp"
 #include <cstdio>
-#include <fstream>
 #include <string>
 using namespace kstrip::literals;
 
 kstrip::surface profile(const std::string &name)
 {
-    std::ifstream file("tests/data/wheel_rail/" + name + ".csv");
-    file.ignore(80, '\n');
-    std::vector<double> y, z;
-    for (double a, b; file >> a && file.ignore() && file >> b;)
-        y.push_back(1e-3 * a), z.push_back(1e-3 * b);
-    return kstrip::prepare_profile(y, z);
+    const auto points = kstrip::read_profile("tests/data/wheel_rail/" + name + ".csv");
+    return kstrip::prepare_profile(points.y, points.z);
 }
 
 int main()

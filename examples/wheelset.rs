@@ -14,6 +14,8 @@
 
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::Model;
+use kstrip::profile_file::ProfileFile;
+use kstrip::profile_file::notes::KSTRIP_FORMAT_ANY;
 use kstrip::status::Error;
 use kstrip::wheel_rail::forces::wrench::{Law, Wrench};
 use kstrip::wheel_rail::profile::PreparedProfile;
@@ -40,16 +42,13 @@ const INERTIA: [f64; 3] = [800.0, 110.0, 800.0];
 /// Load at the centre of the wheelset, its weight included [N].
 const LOAD: f64 = 100e3;
 
-/// A prepared profile from columns y and z, in mm, of a file of `tests/data/wheel_rail`.
+/// A prepared profile from a file of `tests/data/wheel_rail`.
 fn profile(name: &str) -> Result<Box<PreparedProfile<f64>>, Error> {
     let path = format!("{}/tests/data/wheel_rail/{name}.csv", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("the profile is part of the sources");
-    let (mut y, mut z) = (vec![], vec![]);
-    for line in text.lines().skip(1) {
-        let mut numbers = line.split(',').filter_map(|number| number.parse::<f64>().ok());
-        y.extend(numbers.next().map(|mm| mm * 1e-3));
-        z.extend(numbers.next().map(|mm| mm * 1e-3));
-    }
+    let file = ProfileFile::open(text.as_bytes(), KSTRIP_FORMAT_ANY, text.len())?;
+    let [mut y, mut z] = [vec![0.0; file.point_count()], vec![0.0; file.point_count()]];
+    file.read(&mut y, &mut z);
     let mut prepared = Box::new(PreparedProfile::new());
     prepared.prepare(&y, &z, 0.0, 0.0)?;
     Ok(prepared)

@@ -180,6 +180,11 @@ typedef int32_t kstrip_status;
  * to the measured points.
  */
 #define KSTRIP_WARNING_FIT_BOUND 33
+/**
+ * Warning: kind, side, direction of z, origin or unit of a profile file are guessed from weak
+ * evidence, or against what the file says.
+ */
+#define KSTRIP_WARNING_PROFILE_GUESS 34
 
 /** Error: a required pointer is NULL. */
 #define KSTRIP_ERROR_NULL -1
@@ -319,6 +324,23 @@ typedef int32_t kstrip_status;
  * the wheelset away from the middle.
  */
 #define KSTRIP_ERROR_CONICITY -62
+/** Error: the format of a profile file is not one of the constants. */
+#define KSTRIP_ERROR_FILE_FORMAT -70
+/** Error: a line of a profile file is not a point, a keyword or a title of its format. */
+#define KSTRIP_ERROR_FILE_LINE -71
+/** Error: a table has more than two columns, and no line before it names y and z. */
+#define KSTRIP_ERROR_FILE_COLUMNS -72
+/** Error: a profile file has fewer points than its header promises. */
+#define KSTRIP_ERROR_FILE_COUNT -73
+/**
+ * Error: the unit of a profile file is not positive, or its numbers are too large for a profile in
+ * millimetres.
+ */
+#define KSTRIP_ERROR_FILE_UNITS -74
+/** Error: a number of a table is far from all others, and probably marks a missing one. */
+#define KSTRIP_ERROR_FILE_MISSING -75
+/** Error: the share of a profile between two slices is not in 0 to 1. */
+#define KSTRIP_ERROR_SLICE_SHARE -76
 
 /**
  * Text in English with the meaning of a status and what the caller must change.
@@ -1568,6 +1590,89 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 /** Largest number of places along the rail at which friction is given. */
 #define KSTRIP_RAIL_FRICTION_CAPACITY 4
 
+/** Format of a profile file: found from its beginning. */
+#define KSTRIP_FORMAT_ANY 0
+/** Format of a profile file: SIMPACK and CONTACT (.prw, .prr). */
+#define KSTRIP_FORMAT_SIMPACK 1
+/** Format of a profile file: MiniProf (.whl, .ban, .mpt). */
+#define KSTRIP_FORMAT_MINIPROF 2
+/** Format of a profile file: columns of numbers, text or CSV. */
+#define KSTRIP_FORMAT_COLUMNS 3
+/** May be added to a format: the file has the profile of a wheel. */
+#define KSTRIP_FORMAT_WHEEL 16
+/** May be added to a format: the file has the profile of a rail. */
+#define KSTRIP_FORMAT_RAIL 32
+
+/** Note on a profile file: it is the profile of a wheel; without this note of a rail. */
+#define KSTRIP_NOTE_WHEEL 1
+/** Note on a profile file: the file has SIMPACK's format. */
+#define KSTRIP_NOTE_SIMPACK 2
+/** Note on a profile file: the file has MiniProf's format. */
+#define KSTRIP_NOTE_MINIPROF 4
+/** Note on a profile file: z pointed up and is turned. */
+#define KSTRIP_NOTE_Z_TURNED 8
+/** Note on a profile file: the flange or the gauge side was at large y, and y is mirrored. */
+#define KSTRIP_NOTE_Y_MIRRORED 16
+/** Note on a profile file: the points ran toward smaller y and are reversed. */
+#define KSTRIP_NOTE_REVERSED 32
+/** Note on a profile file: y and z of a wheel are moved from its flange back to its running circle. */
+#define KSTRIP_NOTE_RUNNING_CIRCLE 64
+/** Note on a profile file: shift, turn or mirrors of its header are applied. */
+#define KSTRIP_NOTE_HEADER 128
+/** Note on a profile file: lines or points are left out, such as marked or coincident ones. */
+#define KSTRIP_NOTE_LEFT_OUT 256
+/** Note on a profile file: a smoothing or weights of its header are not used. */
+#define KSTRIP_NOTE_IGNORED 512
+/** Note on a profile file: its header has another number of points. */
+#define KSTRIP_NOTE_COUNT 1024
+/** Note on a profile file: the unit is that of the width of the points. */
+#define KSTRIP_NOTE_UNIT_OF_WIDTH 2048
+/** Doubt about a profile file: it may be another kind, or header and shape differ. */
+#define KSTRIP_NOTE_DOUBT_KIND 4096
+/** Doubt about a profile file: the direction of z is weak, or against its format. */
+#define KSTRIP_NOTE_DOUBT_Z 8192
+/** Doubt about a profile file: the side is against its format, or a rail has several heads. */
+#define KSTRIP_NOTE_DOUBT_SIDE 16384
+/** Doubt about a profile file: the unit is taken as inches, by the width of the points. */
+#define KSTRIP_NOTE_DOUBT_UNIT 32768
+/** Doubt about a profile file: y = 0 of a wheel is not its running circle. */
+#define KSTRIP_NOTE_DOUBT_ORIGIN 65536
+/** Doubt about a profile file: no line follows the points, or the first of several is read. */
+#define KSTRIP_NOTE_DOUBT_POINTS 131072
+
+/**
+ * Reads the profile of a wheel or a rail from the text of a file, in metres and the right way
+ * round: points toward larger y, z down, the flange or the gauge side at small y.
+ *
+ * Formats: SIMPACK and CONTACT (.prw, .prr), MiniProf (.whl, .ban, .mpt), and columns of numbers
+ * with or without names. The convention of SIMPACK's format decides which way its points stand.
+ * For the other formats, or if the requested kind is not that of the header, the shape of the
+ * tread or of the head decides. The wheel of a MiniProf file is moved from its flange back to its
+ * running circle. docs/profile-files.md has the rules. The text is read several times, without a
+ * copy.
+ *
+ * @param text, length    the text of the file and its number of bytes. It need not end with 0.
+ * @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
+ *                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL.
+ * @param[out] y, z       arrays of capacity elements; receive the points [m].
+ * @param capacity        number of elements of y and of z.
+ * @param[out] count      receives the number of points.
+ * @param[out] notes      receives findings and changes, a sum of KSTRIP_NOTE_; NULL: not needed.
+ * @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_LINE,
+ *         KSTRIP_ERROR_FILE_COLUMNS, KSTRIP_ERROR_FILE_COUNT, KSTRIP_ERROR_FILE_UNITS,
+ *         KSTRIP_ERROR_FILE_MISSING, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
+ *         four points), KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_SCATTER (a closed outline).
+ */
+kstrip_status kstrip_read_profile(const char *text,
+                                  uint32_t length,
+                                  uint32_t format,
+                                  double *y,
+                                  double *z,
+                                  uint32_t capacity,
+                                  uint32_t *count,
+                                  uint32_t *notes);
+
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
  * larger y, and its direction. It holds plain numbers and may be copied.
@@ -1635,6 +1740,29 @@ kstrip_status kstrip_prepare_profile(const double *y,
                                      double step,
                                      double smoothing_length,
                                      struct kstrip_surface *surface);
+
+/**
+ * The prepared profile at a place between two slices of a surface that varies along the track,
+ * such as a switch or a crossing, or around a wheel. It is continuous in the share.
+ *
+ * Points at the same share of the length of both profiles belong together: their coordinates are
+ * interpolated, and the result is prepared. Both slices must begin and end at the same features,
+ * and be near enough to each other that the features between them move in proportion. The slope of
+ * the surface along the track is not a part of the result: wheels touch the profile at the place
+ * as if it were that of a straight rail, and a rail that rises by 1 in 100 moves the contact ahead
+ * by a hundredth of the radius of the wheel.
+ *
+ * @param first, second   prepared profiles of the slices before and after the place.
+ * @param share           0 at the place of the first to 1 at that of the second.
+ * @param[out] between    receives the profile; it may be one of the slices.
+ * @return KSTRIP_OK or a warning of kstrip_prepare_profile(); KSTRIP_ERROR_NULL,
+ *         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_SLICE_SHARE, or an
+ *         error of kstrip_prepare_profile().
+ */
+kstrip_status kstrip_profile_between(const struct kstrip_surface *first,
+                                     const struct kstrip_surface *second,
+                                     double share,
+                                     struct kstrip_surface *between);
 
 /**
  * Position of the wheel on straight track. The flange of a right wheel touches the gauge side of

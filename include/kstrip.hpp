@@ -23,12 +23,19 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #if defined(__cpp_exceptions) || defined(_CPPUNWIND)
 #define KSTRIP_HPP_EXCEPTIONS 1
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <exception>
+#include <memory>
+#include <string>
+#include <system_error>
 #include <vector>
 #endif
 
@@ -81,6 +88,7 @@ enum class [[nodiscard]] status : std::int32_t {
     warning_damping = KSTRIP_WARNING_DAMPING,
     warning_second_minimum = KSTRIP_WARNING_SECOND_MINIMUM,
     warning_fit_bound = KSTRIP_WARNING_FIT_BOUND,
+    warning_profile_guess = KSTRIP_WARNING_PROFILE_GUESS,
     error_null = KSTRIP_ERROR_NULL,
     error_not_finite = KSTRIP_ERROR_NOT_FINITE,
     error_semi_axis = KSTRIP_ERROR_SEMI_AXIS,
@@ -131,6 +139,13 @@ enum class [[nodiscard]] status : std::int32_t {
     error_gauge = KSTRIP_ERROR_GAUGE,
     error_wheel_lifted = KSTRIP_ERROR_WHEEL_LIFTED,
     error_conicity = KSTRIP_ERROR_CONICITY,
+    error_file_format = KSTRIP_ERROR_FILE_FORMAT,
+    error_file_line = KSTRIP_ERROR_FILE_LINE,
+    error_file_columns = KSTRIP_ERROR_FILE_COLUMNS,
+    error_file_count = KSTRIP_ERROR_FILE_COUNT,
+    error_file_units = KSTRIP_ERROR_FILE_UNITS,
+    error_file_missing = KSTRIP_ERROR_FILE_MISSING,
+    error_slice_share = KSTRIP_ERROR_SLICE_SHARE,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -1444,6 +1459,23 @@ status prepare_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> z, d
                            smoothing_length, &to);
 }
 
+/// `format` is a constant KSTRIP_FORMAT_; `notes` is a sum of KSTRIP_NOTE_.
+template <class T>
+status read_profile(std::string_view text, std::uint32_t format, T *y, T *z, std::uint32_t room, std::uint32_t &count,
+                    std::uint32_t &notes) noexcept
+{
+    if (!detail::fits(text.size()))
+        return status::error_capacity;
+    return KSTRIP_HPP_CALL(kstrip_read_profile, text.data(), detail::capacity(text.size()), format, y, z, room, &count, &notes);
+}
+
+/// Calls kstrip_profile_between().
+template <class T>
+status profile_between(const basic_surface<T> &first, const basic_surface<T> &second, detail::only<T> share, basic_surface<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_profile_between, &first, &second, share, &to);
+}
+
 /// A `reach` of 0 means 2 mm. Pass null if `least`, the smallest distance, is not needed.
 template <class T>
 status touch(const basic_surface<T> &rail, const basic_surface<T> &wheel, basic_metres<T> wheel_radius,
@@ -1582,6 +1614,49 @@ template <class Lengths, class T = detail::precision_of<const Lengths>>
 basic_surface<T> prepare_profile(const Lengths &y, const Lengths &z, detail::only<basic_metres<T>> step = {},
                                  detail::only<basic_metres<T>> smoothing_length = {})
 KSTRIP_HPP_THROWING(basic_surface<T>, (prepare_profile<T>), y, z, step, smoothing_length, to)
+
+/// The points of a profile file, for prepare_profile().
+template <class T>
+struct basic_profile_points {
+    std::vector<basic_metres<T>> y;
+    std::vector<basic_metres<T>> z;
+    std::uint32_t notes; ///< findings and changes, a sum of KSTRIP_NOTE_
+};
+/// Reads a file. Its extension says the kind if `format` does not. Throws std::system_error for a file that cannot be opened.
+template <class T = double>
+basic_profile_points<T> read_profile(const std::string &path, std::uint32_t format = KSTRIP_FORMAT_ANY)
+{
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!file)
+        throw std::system_error(errno, std::generic_category(), path);
+    std::string text;
+    char part[4096];
+    for (std::size_t read = 0; (read = std::fread(part, 1, sizeof part, file.get())) > 0;)
+        text.append(part, read);
+    if (std::ferror(file.get()))
+        throw std::system_error(errno, std::generic_category(), path);
+    const auto ends = [&path](std::string_view end) {
+        return path.size() >= end.size() && std::equal(end.begin(), end.end(), path.end() - static_cast<std::ptrdiff_t>(end.size()),
+                                                       [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+    };
+    if (format < KSTRIP_FORMAT_WHEEL && (ends(".prw") || ends(".whl") || ends(".wheel")))
+        format += KSTRIP_FORMAT_WHEEL;
+    if (format < KSTRIP_FORMAT_WHEEL && (ends(".prr") || ends(".ban") || ends(".rail")))
+        format += KSTRIP_FORMAT_RAIL;
+    // A point has at least four characters.
+    std::vector<T> y(text.size() / 4 + 8), z(y.size());
+    std::uint32_t count = 0;
+    basic_profile_points<T> to{};
+    detail::check(read_profile(text, format, y.data(), z.data(), detail::capacity(y.size()), count, to.notes));
+    for (std::uint32_t i = 0; i < count; i++)
+        to.y.emplace_back(y[i]), to.z.emplace_back(z[i]);
+    return to;
+}
+
+/// The form of profile_between() that throws.
+template <class T>
+basic_surface<T> profile_between(const basic_surface<T> &first, const basic_surface<T> &second, detail::only<T> share)
+KSTRIP_HPP_THROWING(basic_surface<T>, profile_between, first, second, share, to)
 
 /// What touch() returns.
 template <class T>

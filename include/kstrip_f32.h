@@ -564,6 +564,16 @@ kstrip_status kstrip_patch_field_f32(const struct kstrip_patch_f32 *patch,
  * @{
  */
 
+/** kstrip_read_profile() in single precision. */
+kstrip_status kstrip_read_profile_f32(const char *text,
+                                      uint32_t length,
+                                      uint32_t format,
+                                      float *y,
+                                      float *z,
+                                      uint32_t capacity,
+                                      uint32_t *count,
+                                      uint32_t *notes);
+
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
  * larger y, and its direction. It holds plain numbers and may be copied.
@@ -586,6 +596,12 @@ kstrip_status kstrip_prepare_profile_f32(const float *y,
                                          float step,
                                          float smoothing_length,
                                          struct kstrip_surface_f32 *surface);
+
+/** kstrip_profile_between() in single precision. */
+kstrip_status kstrip_profile_between_f32(const struct kstrip_surface_f32 *first,
+                                         const struct kstrip_surface_f32 *second,
+                                         float share,
+                                         struct kstrip_surface_f32 *between);
 
 /**
  * Position of the wheel on straight track. The flange of a right wheel touches the gauge side of

@@ -102,6 +102,7 @@ pub mod normal;
 pub mod number;
 pub mod numerics;
 pub mod patch;
+pub mod profile_file;
 pub mod rig;
 pub mod status;
 pub mod strip;

@@ -217,6 +217,28 @@ statuses! {
              turn the wheelset away from the middle",
             "pass amplitudes within the shifts (metres), and differences of the radii that grow \
              with the shift";
+        KSTRIP_ERROR_FILE_FORMAT FileFormat = -70:
+            "the format of a profile file is not one of the constants",
+            "pass KSTRIP_FORMAT_ANY";
+        KSTRIP_ERROR_FILE_LINE FileLine = -71:
+            "a line of a profile file is not a point, a keyword or a title of its format",
+            "check that the file is text in UTF-8, and that its format is the one that is passed";
+        KSTRIP_ERROR_FILE_COLUMNS FileColumns = -72:
+            "a table has more than two columns, and no line before it names y and z",
+            "name its columns, or leave out the others";
+        KSTRIP_ERROR_FILE_COUNT FileCount = -73:
+            "a profile file has fewer points than its header promises",
+            "the file is probably cut: copy it again, or correct the number in its header";
+        KSTRIP_ERROR_FILE_UNITS FileUnits = -74:
+            "the unit of a profile file is not positive, or its numbers are too large for a \
+             profile in millimetres",
+            "name the unit in the line with the names of the columns";
+        KSTRIP_ERROR_FILE_MISSING FileMissing = -75:
+            "a number of a table is far from all others, and probably marks a missing one",
+            "leave out its line";
+        KSTRIP_ERROR_SLICE_SHARE SliceShare = -76:
+            "the share of a profile between two slices is not in 0 to 1",
+            "pass the distance from the first slice divided by that of both";
     }
 }
 
@@ -351,6 +373,10 @@ statuses! {
             "a fitted parameter of a law ended at its bound, beyond which the law would come \
              nearer to the measured points",
             "check the units of the points, or fit other parameters";
+        KSTRIP_WARNING_PROFILE_GUESS ProfileGuess = 34 gravity IMPLAUSIBLE:
+            "kind, side, direction of z, origin or unit of a profile file are guessed from weak \
+             evidence, or against what the file says",
+            "check the notes";
     }
 }
 

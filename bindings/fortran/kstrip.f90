@@ -47,6 +47,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_warning_damping = 31
    integer(c_int32_t), parameter :: kstrip_warning_second_minimum = 32
    integer(c_int32_t), parameter :: kstrip_warning_fit_bound = 33
+   integer(c_int32_t), parameter :: kstrip_warning_profile_guess = 34
    integer(c_int32_t), parameter :: kstrip_error_null = -1
    integer(c_int32_t), parameter :: kstrip_error_not_finite = -2
    integer(c_int32_t), parameter :: kstrip_error_semi_axis = -3
@@ -97,6 +98,13 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_gauge = -60
    integer(c_int32_t), parameter :: kstrip_error_wheel_lifted = -61
    integer(c_int32_t), parameter :: kstrip_error_conicity = -62
+   integer(c_int32_t), parameter :: kstrip_error_file_format = -70
+   integer(c_int32_t), parameter :: kstrip_error_file_line = -71
+   integer(c_int32_t), parameter :: kstrip_error_file_columns = -72
+   integer(c_int32_t), parameter :: kstrip_error_file_count = -73
+   integer(c_int32_t), parameter :: kstrip_error_file_units = -74
+   integer(c_int32_t), parameter :: kstrip_error_file_missing = -75
+   integer(c_int32_t), parameter :: kstrip_error_slice_share = -76
    integer(c_int32_t), parameter :: kstrip_model_default = 0
    integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
    integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2
@@ -112,6 +120,30 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_surface_capacity = 512
    integer(c_int32_t), parameter :: kstrip_contacts_capacity = 6
    integer(c_int32_t), parameter :: kstrip_rail_friction_capacity = 4
+   integer(c_int32_t), parameter :: kstrip_format_any = 0
+   integer(c_int32_t), parameter :: kstrip_format_simpack = 1
+   integer(c_int32_t), parameter :: kstrip_format_miniprof = 2
+   integer(c_int32_t), parameter :: kstrip_format_columns = 3
+   integer(c_int32_t), parameter :: kstrip_format_wheel = 16
+   integer(c_int32_t), parameter :: kstrip_format_rail = 32
+   integer(c_int32_t), parameter :: kstrip_note_wheel = 1
+   integer(c_int32_t), parameter :: kstrip_note_simpack = 2
+   integer(c_int32_t), parameter :: kstrip_note_miniprof = 4
+   integer(c_int32_t), parameter :: kstrip_note_z_turned = 8
+   integer(c_int32_t), parameter :: kstrip_note_y_mirrored = 16
+   integer(c_int32_t), parameter :: kstrip_note_reversed = 32
+   integer(c_int32_t), parameter :: kstrip_note_running_circle = 64
+   integer(c_int32_t), parameter :: kstrip_note_header = 128
+   integer(c_int32_t), parameter :: kstrip_note_left_out = 256
+   integer(c_int32_t), parameter :: kstrip_note_ignored = 512
+   integer(c_int32_t), parameter :: kstrip_note_count = 1024
+   integer(c_int32_t), parameter :: kstrip_note_unit_of_width = 2048
+   integer(c_int32_t), parameter :: kstrip_note_doubt_kind = 4096
+   integer(c_int32_t), parameter :: kstrip_note_doubt_z = 8192
+   integer(c_int32_t), parameter :: kstrip_note_doubt_side = 16384
+   integer(c_int32_t), parameter :: kstrip_note_doubt_unit = 32768
+   integer(c_int32_t), parameter :: kstrip_note_doubt_origin = 65536
+   integer(c_int32_t), parameter :: kstrip_note_doubt_points = 131072
    integer(c_int32_t), parameter :: kstrip_wheelset_freedoms = 10
    integer(c_int32_t), parameter :: kstrip_measured_fx = 1
    integer(c_int32_t), parameter :: kstrip_measured_fy = 2
@@ -897,6 +929,20 @@ module kstrip
          integer(c_int32_t), value :: capacity
       end function
 
+      !> Reads the profile of a wheel or a rail from the text of a file, in metres and the right way round: points toward
+      !> larger y, z down, the flange or the gauge side at small y.
+      integer(c_int32_t) function kstrip_read_profile(text, length, format, y, z, capacity, count, notes) bind(c)
+         import
+         character(kind=c_char), intent(in) :: text(*)
+         integer(c_int32_t), value :: length
+         integer(c_int32_t), value :: format
+         real(c_double), intent(inout) :: y(*)
+         real(c_double), intent(inout) :: z(*)
+         integer(c_int32_t), value :: capacity
+         integer(c_int32_t), intent(inout) :: count
+         integer(c_int32_t), intent(inout), optional :: notes
+      end function
+
       !> Prepares a profile of a rail or a wheel from its points.
       integer(c_int32_t) function kstrip_prepare_profile(y, z, points, step, smoothing_length, surface) bind(c)
          import
@@ -906,6 +952,16 @@ module kstrip
          real(c_double), value :: step
          real(c_double), value :: smoothing_length
          type(kstrip_surface), intent(inout) :: surface
+      end function
+
+      !> The prepared profile at a place between two slices of a surface that varies along the track, such as a switch or
+      !> a crossing, or around a wheel.
+      integer(c_int32_t) function kstrip_profile_between(first, second, share, between) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: first
+         type(kstrip_surface), intent(in) :: second
+         real(c_double), value :: share
+         type(kstrip_surface), intent(inout) :: between
       end function
 
       !> The gap between a wheel and a straight rail: the line on the wheel along which its normal is perpendicular to x,

@@ -380,11 +380,42 @@ static mxArray *prepare_profile(int count, const mxArray *in[])
     return made;
 }
 
+/* The points of the text of a file as a struct. */
+static mxArray *read_profile(int count, const mxArray *in[])
+{
+    static const char *const names[] = {"y", "z", "notes"};
+    const mxArray *text = given(count, in, 0);
+    if (!text || !mxIsChar(text)) mexErrMsgIdAndTxt("kstrip:argument", "kstrip: text must be the text of a profile file");
+    const uint32_t length = (uint32_t)mxGetNumberOfElements(text), room = length / 4 + 8;
+    char *bytes = mxArrayToString(text);
+    double *y = mxMalloc(room * sizeof *y), *z = mxMalloc(room * sizeof *z);
+    uint32_t points = 0, notes = 0;
+    report seen = {{0}, {0}};
+    note(&seen, kstrip_read_profile(bytes, length, (uint32_t)scalar(given(count, in, 1), 0), y, z, room, &points, &notes), 0);
+    warn(&seen);
+    mxArray *to = mxCreateStructMatrix(1, 1, 3, (const char **)names);
+    mxArray *across = mxCreateDoubleMatrix(points, 1, mxREAL), *down = mxCreateDoubleMatrix(points, 1, mxREAL);
+    memcpy(mxGetPr(across), y, points * sizeof *y), memcpy(mxGetPr(down), z, points * sizeof *z);
+    mxSetField(to, 0, "y", across), mxSetField(to, 0, "z", down), mxSetField(to, 0, "notes", mxCreateDoubleScalar(notes));
+    mxFree(bytes), mxFree(y), mxFree(z);
+    return to;
+}
+
 static const kstrip_surface *surface_of(const mxArray *of, const char *name)
 {
     if (!of || !mxIsUint8(of) || mxGetNumberOfElements(of) != sizeof(kstrip_surface))
         mexErrMsgIdAndTxt("kstrip:argument", "kstrip: %s must be made by kstrip_prepare_profile", name);
     return mxGetData(of);
+}
+
+static mxArray *profile_between(int count, const mxArray *in[])
+{
+    const kstrip_surface *first = surface_of(given(count, in, 0), "first"), *second = surface_of(given(count, in, 1), "second");
+    mxArray *made = mxCreateNumericMatrix(sizeof(kstrip_surface), 1, mxUINT8_CLASS, mxREAL);
+    report seen = {{0}, {0}};
+    note(&seen, kstrip_profile_between(first, second, scalar(given(count, in, 2), 0), mxGetData(made)), 0);
+    warn(&seen);
+    return made;
 }
 
 /* The members of kstrip_wheel_pair as fields; those that are not given are zero. With `more` those of a wheelset and its track too. */
@@ -651,6 +682,10 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         from_profile(outputs, output, count, in);
     else if (strcmp(name, "patch_from_contact") == 0)
         output[0] = from_contact(count, in);
+    else if (strcmp(name, "read_profile") == 0)
+        output[0] = read_profile(count, in);
+    else if (strcmp(name, "profile_between") == 0)
+        output[0] = profile_between(count, in);
     else if (strcmp(name, "prepare_profile") == 0)
         output[0] = prepare_profile(count, in);
     else if (strcmp(name, "wheel_on_rail") == 0)

@@ -54,6 +54,18 @@ assert(kstrip_evaluate(patch, [1; 0; 0]).force(1), 24e3, 10);
 y = linspace(-0.03, 0.03, 121);
 rail = kstrip_prepare_profile(y, 0.3 - sqrt(0.09 - y .^ 2));
 wheel = kstrip_prepare_profile(y, -0.05 * y);
+between = kstrip_profile_between(rail, kstrip_prepare_profile(y, 0.3 - sqrt(0.09 - y .^ 2) + 1e-3), 0.5);
+assert(size(between), size(rail));
+path = [tempname(), '.csv'];
+file = fopen(path, 'w');
+fprintf(file, 'y_mm,z_mm\n');
+fprintf(file, '%.9f,%.9f\n', 1e3 * [y; 0.3 - sqrt(0.09 - y .^ 2)]);
+fclose(file);
+points = kstrip_read_profile(path, 'rail');
+assert(points.y, y', 1e-11);
+assert(points.z, (0.3 - sqrt(0.09 - y .^ 2))', 1e-11);
+assert(bitand(points.notes, 1), 0);
+delete(path);
 pair = struct('wheel_radius', 0.46, 'shear_modulus', 82e9, 'poisson_ratio', 0.28, 'friction', 0.3);
 position = [linspace(-2e-3, 2e-3, 5); zeros(1, 5); 2e-3 * ones(1, 5); zeros(1, 5)];
 position(2, :) = kstrip_height_for_load(rail, wheel, pair, position, 80e3);
@@ -134,6 +146,8 @@ fails(@() kstrip(contact(1:5), creepage), 'contact must be a real double matrix 
 fails(@() kstrip(contact, creepage, 'fastsim'), 'the model is not one of the KSTRIP_MODEL constants');
 fails(@() kstrip_evaluate(contact, creepage, wet(1:4)), 'friction must be a real double matrix with 5');
 fails(@() kstrip_wheel_on_rail(y, wheel, pair, position, velocity), 'rail must be made by kstrip_prepare_profile');
+fails(@() kstrip_read_profile('no such file'), 'cannot be opened');
+fails(@() kstrip_profile_between(rail, rail, 2), 'the share of a profile');
 fails(@() kstrip_wheel_on_rail(rail, wheel, struct('radius', 1), position, velocity), 'unknown field radius');
 fails(@() kstrip_wheel_on_rail(rail, wheel, pair, [0.3; 0; 0; 0], velocity), 'column 1: ');
 fails(@() kstrip_patch_from_profile(y, y .^ 2, struct('radius', 1)), 'unknown field radius');
@@ -142,7 +156,7 @@ fails(@() kstrip_fit_friction(1e-3, 1e3, contact), 'fewer measured forces than p
 fails(@() kstrip_fit_friction(1e-3, 1e3, contact, [], 'slope'), 'fit must be some of friction, ratio');
 % Every function has help text
 for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact', ...
-            'kstrip_prepare_profile', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
+            'kstrip_prepare_profile', 'kstrip_read_profile', 'kstrip_profile_between', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
             'kstrip_wheelset_on_track', 'kstrip_wheelset_settle', 'kstrip_fit_friction'}
     assert(numel(help(name{1})) > 300);
 end

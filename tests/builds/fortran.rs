@@ -7,7 +7,7 @@ const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
 
 /// Pointers by these names are arrays; other pointers are one object.
 const ARRAYS: &str = "x y z contacts distance points strips \
-    coefficients weight shifts differences amplitudes conicities wave_lengths";
+    text coefficients weight shifts differences amplitudes conicities wave_lengths";
 
 const HEAD: &str = "\
 ! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.
@@ -86,6 +86,7 @@ fn kind(name: &str) -> (String, &'static str) {
     match name {
         "double" => ("real(c_double)".to_owned(), " = 0"),
         "int32_t" | "uint32_t" | "kstrip_status" => ("integer(c_int32_t)".to_owned(), " = 0"),
+        "char" => ("character(kind=c_char)".to_owned(), ""),
         "ptrdiff_t" => ("integer(c_intptr_t)".to_owned(), " = 0"),
         structure => (format!("type({structure})"), ""),
     }

@@ -104,6 +104,26 @@ int main()
     fine(kstrip::prepare_profile(ry_units, rz_units, 0_m, 0_m, written), "prepare_profile");
     expect(same(written.y, rail.y) && same(written.sine, rail.sine) && written.count == rail.count, "prepare_profile: both forms, units");
 
+    fine(kstrip::profile_between(rail, wheel, 0.5, written), "profile_between");
+    const auto between = kstrip::profile_between(rail, wheel, 0.5);
+    expect(same(written.y, between.y) && same(written.z, between.z) && written.count == between.count, "profile_between: both forms");
+    const std::string text = "0 0\n10 1\n20 4\n30 9\n40 16\n50 25\n";
+    double point_y[8], point_z[8];
+    std::uint32_t points_read = 0, notes = 0;
+    fine(kstrip::read_profile(text, KSTRIP_FORMAT_COLUMNS | KSTRIP_FORMAT_RAIL, point_y, point_z, 8, points_read, notes), "read_profile");
+    const std::string path = "kstrip_forms_profile.txt";
+    std::FILE *file = std::fopen(path.c_str(), "wb");
+    expect(file && std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fclose(file) == 0, "a file is written");
+    const auto points = kstrip::read_profile(path, KSTRIP_FORMAT_COLUMNS | KSTRIP_FORMAT_RAIL);
+    std::remove(path.c_str());
+    expect(points_read == 6 && points.y.size() == 6 && points.notes == notes && points.y[5].value == point_y[5] && points.z[5].value == point_z[5] &&
+               std::fabs(point_y[5] - 50e-3) < 1e-15, "read_profile: both forms");
+    try {
+        static_cast<void>(kstrip::read_profile("there is no such file"));
+        expect(false, "a file that is not there was read");
+    } catch (const std::system_error &) {
+    }
+
     kstrip::wheel_pair pair{460_mm, 82_GPa, 0.28, 0.3};
     pair.model = kstrip::model::strip;
     kstrip::wheel_position where{0_mm, 0_mm, 2_mrad};

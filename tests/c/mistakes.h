@@ -7,7 +7,7 @@
 
 enum { MOST = 1200, FORCES = 6 };
 static double drawn_y[2][MOST], drawn_z[2][MOST];
-static unsigned drawn[2];
+static uint32_t drawn[2];
 static double support, force, unit, down, across, creepage_factor, amplitude, sense;
 static int swapped, rail_upside_down;
 /* From the rail's origin to the wheel in the middle of the track [m]. */
@@ -15,18 +15,12 @@ static const double offset = 0.75 - 0.7605325;
 
 static int read_profile(unsigned number, const char *path)
 {
-    char line[100];
-    unsigned points = 0;
-    FILE *file = fopen(path, "r");
-    while (file && points < MOST && fgets(line, sizeof line, file))
-        if (sscanf(line, "%lf,%lf", &drawn_y[number][points], &drawn_z[number][points]) == 2) {
-            drawn_y[number][points] *= 1e-3;
-            drawn_z[number][points++] *= 1e-3;
-        }
+    static char text[100000];
+    FILE *file = fopen(path, "rb");
+    const uint32_t length = file ? (uint32_t)fread(text, 1, sizeof text, file) : 0;
     if (file)
         fclose(file);
-    drawn[number] = points;
-    return points > 10;
+    return kstrip_read_profile(text, length, KSTRIP_FORMAT_ANY, drawn_y[number], drawn_z[number], MOST, &drawn[number], NULL) == KSTRIP_OK;
 }
 
 static void good_numbers(void)

@@ -325,7 +325,9 @@ impl<'a> Setup<'a> {
                     let value =
                         own.unwrap_or_else(|| value_of(if of_number { "double" } else { target }));
                     let list = good.get(&format!("{}.{name}", base(&function.name)));
-                    if let Some(list) = list.filter(|_| of_number) {
+                    if target == "char" {
+                        text += &format!("    char {name}[] = {value};\n");
+                    } else if let Some(list) = list.filter(|_| of_number) {
                         text += &format!("    {target} {name}[{ELEMENTS}] = {list};\n");
                     } else {
                         let value = spelt(function, value);

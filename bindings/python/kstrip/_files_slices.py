@@ -11,16 +11,15 @@ from typing import Any, Optional
 
 import numpy as np
 
+from ._calls import call, zeros
 from ._files import Path, Profile, read_series
 from ._files_points import Array, ProfileError
 from ._files_table import is_number
 from ._group import Group
 from ._inputs import number
-from ._wheel import PreparedProfile, prepare_profile
+from ._wheel import PreparedProfile, prepared
 
 _MILLIMETRE = 1e-3
-#: Points of a profile between two others
-_POINTS = 512
 
 
 def profile_between(first: PreparedProfile, second: PreparedProfile, share: float) -> PreparedProfile:
@@ -34,16 +33,10 @@ def profile_between(first: PreparedProfile, second: PreparedProfile, share: floa
     >>> print(f"{1e3 * kstrip.profile_between(low, high, 0.25).z.min():.2f} mm")
     -0.25 mm
     """
-    if not 0.0 <= number(share, "share") <= 1.0:
-        raise ValueError(f"share is 0 to 1, not {share!r}")
-    part = np.linspace(0.0, 1.0, _POINTS)
-
-    def at(profile: PreparedProfile, values: Array) -> Array:
-        return np.interp(part, np.linspace(0.0, 1.0, profile.count), values)
-
-    y, z = ((1.0 - share) * at(first, a) + share * at(second, b) for a, b in ((first.y, second.y), (first.z, second.z)))
-    made = prepare_profile(y, z, dtype=np.float32 if first.single else np.float64)
-    return PreparedProfile(bytes(made), max(first.smoothing_length, second.smoothing_length), first.single)
+    made = zeros("surface", first.single)
+    call("kstrip_profile_between", first.single, prepared("first", first, first.single), prepared("second", second, first.single),
+         number(share, "share"), made)
+    return PreparedProfile(made.tobytes(), max(first.smoothing_length, second.smoothing_length), first.single)
 
 
 @dataclasses.dataclass(frozen=True, eq=False, repr=False)

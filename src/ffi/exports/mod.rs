@@ -4,6 +4,8 @@
 #[cfg(feature = "batch")]
 mod batch;
 mod bodies;
+#[cfg(feature = "wheels")]
+mod files;
 #[cfg(feature = "fit")]
 mod fit;
 mod inside;
@@ -23,6 +25,8 @@ use super::F;
 #[cfg(feature = "batch")]
 pub use batch::*;
 pub use bodies::*;
+#[cfg(feature = "wheels")]
+pub use files::*;
 #[cfg(feature = "fit")]
 pub use fit::*;
 pub use inside::*;

@@ -2,6 +2,7 @@
 //! that distances have continuous slopes.
 
 mod averaged_points;
+pub(crate) mod between;
 mod coarse_line;
 mod curve;
 pub(crate) mod plausibility;

@@ -67,6 +67,73 @@ fn prepare_profile(bytes: &mut Bytes) {
     }
 }
 
+/// Files of each format.
+const FILES: [&str; 4] = [
+    "header.begin\n type=1\nheader.end\nspline.begin\n units.len.f=1000.\n rotate=0.1\n \
+     point.begin\n\
+     -30 9\n-20 4.5 1\n-10 1\n0 0\n10 1 0.5\n20 4\n30 9\n point.end\nspline.end\n",
+    "Filename=a\nXYPoints=7\nColumnDef=X,Y\n\n-30 9\n-20 4\n\"-10 1\n0 0\n10 1\n20 4\n30 9\n",
+    "[Profile1Info]\nMPDC=3\nMPD1=L -30 9 -10 1\nMPD2=L -10 1 10 1\nMPD3=L 10 1 30 9\n",
+    "nr;y [mm];z [mm]\n1;-30,0;9,0\n2;-20;4\n3;-10;1\n4;0;0\n5;10;1\n6;20;4\n7;30;9\nEND\n",
+];
+
+fn read_profile(bytes: &mut Bytes) {
+    let mut text = FILES[bytes.below(4)].as_bytes().to_vec();
+    for _ in 0..bytes.below(6) {
+        let at = bytes.below(256).min(text.len());
+        match bytes.below(4) {
+            0 if bytes.byte() < 64 => text.truncate(at),
+            1 => text.insert(at, bytes.byte()),
+            _ if at < text.len() => text[at] = b"0123456789.,;eD-+ \n\"=[]\0"[bytes.below(24)],
+            _ => (),
+        }
+    }
+    let capacity = if bytes.byte() < 32 { bytes.below(POINTS + 1) } else { POINTS };
+    let format = if bytes.byte() < 32 { u32::from(bytes.byte()) } else { 0 };
+    let (mut y, mut z) = (poisoned_array::<Float, POINTS>(), poisoned_array::<Float, POINTS>());
+    let (mut count, mut notes) = (poisoned::<u32>(), poisoned::<u32>());
+    let given = bytes.given();
+    // SAFETY: NULL or as many elements as said.
+    let status = unsafe {
+        let (text, length) = (given.array(0, &text).cast(), text.len() as u32);
+        let (y, z) = (given.places(1, &mut y), given.places(2, &mut z));
+        let (count, notes) = (given.output(3, &mut count), given.output(4, &mut notes));
+        kstrip_read_profile(text, length, format, y, z, capacity as u32, count, notes)
+    };
+    let all = all_untouched(&y) && all_untouched(&z) && untouched(&count) && untouched(&notes);
+    if answered(status, all) {
+        let count = written(&count) as usize;
+        assert!((4..=capacity).contains(&count), "{count}");
+        let points =
+            |list: &[MaybeUninit<Float>]| list[..count].iter().map(written).collect::<Vec<_>>();
+        assert!(finite(&points(&y)) && finite(&points(&z)));
+        assert!(all_untouched(&y[count..]) && all_untouched(&z[count..]));
+    }
+}
+
+fn profile_between(bytes: &mut Bytes) {
+    let (mut first, mut second) = (zeroed::<kstrip_surface>(), zeroed::<kstrip_surface>());
+    prepare(bytes, 0.3, Some(&mut first));
+    prepare(bytes, 0.4, Some(&mut second));
+    let share: Float = if bytes.byte() < 48 { Number::of(bytes, 0.1) } else { 0.25 };
+    let given = bytes.given();
+    let mut between = zeroed::<kstrip_surface>();
+    // SAFETY: NULL or a profile.
+    let status = unsafe {
+        let place: *mut kstrip_surface =
+            if given.has(2) { &raw mut *between } else { std::ptr::null_mut() };
+        let [first, second] = [(0, &*first), (1, &*second)].map(|(k, profile)| {
+            if given.has(k) { std::ptr::from_ref(profile) } else { std::ptr::null() }
+        });
+        kstrip_profile_between(first, second, share, place)
+    };
+    if answered(status, between.count == 0 && between.step == 0.0) {
+        let count = between.count as usize;
+        assert!(given.all(3) && (4..=512).contains(&count), "{count}");
+        assert!(finite(&between.y[..count]) && finite(&between.z[..count]));
+    }
+}
+
 /// A wheel over a rail as a program may have it.
 struct Scene {
     rail: Box<kstrip_surface>,
@@ -709,7 +776,9 @@ fn equivalent_conicity(bytes: &mut Bytes) {
 }
 
 pub const ENTRIES: &[Entry] = &[
+    ("read_profile", read_profile),
     ("prepare_profile", prepare_profile),
+    ("profile_between", profile_between),
     ("touch", touch),
     ("contacts_from_gap", contacts_from_gap),
     ("motion", motion),

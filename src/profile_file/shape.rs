@@ -1,0 +1,352 @@
+//! How a profile stands, from its shape: a wheel or a rail, z up or down, the flange or the gauge
+//! side at small or at large y.
+//!
+//! The points are prepared first, as for a calculation: single strays are out, and scatter is
+//! smoothed. The prepared profile has flat parts, where it rises by less than 20 degrees. The
+//! longest is the tread or the head. On either side of a flat part the profile falls, rises or
+//! ends:
+//!
+//! * A wheel: beside the tread the flange reaches down to its tip and rises again. A roller without
+//!   a flange has both edges up.
+//! * A rail: beside a head the profile falls on both sides. A groove is a flat part that rises on
+//!   both sides, and counts against a head only by its own width.
+
+use crate::number::Float;
+use crate::wheel_rail::profile::PreparedProfile;
+
+/// Sine of the angle below which a part is flat.
+const FLAT: f64 = 0.342;
+/// Most points that are used, and most flat parts.
+const MOST: usize = 500;
+const MOST_FLATS: usize = 64;
+/// The size of a profile over the length with which it is smoothed.
+const SMOOTHING: f64 = 1.0 / 40.0;
+
+/// Evidence: a value of at most a weight, positive for yes.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Evidence<F> {
+    pub(super) value: F,
+    pub(super) weight: F,
+}
+
+impl<F: Float> Evidence<F> {
+    const fn new(value: F, weight: F) -> Self {
+        Self { value, weight }
+    }
+
+    pub(super) fn is_no(&self) -> bool {
+        self.value < F::zero()
+    }
+
+    /// Whether its strength is at least so much, 0 to 1.
+    pub(super) fn is_at_least(&self, strength: f64) -> bool {
+        self.weight > F::zero() && self.value.abs() >= self.weight.times(strength)
+    }
+}
+
+/// What the shape of a profile says.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Shape<F> {
+    pub(super) is_wheel: Evidence<F>,
+    /// Of a wheel and of a rail: z points down.
+    pub(super) wheel_down: Evidence<F>,
+    pub(super) rail_down: Evidence<F>,
+    /// The flange is at small y.
+    pub(super) flange_left: Evidence<F>,
+    /// The gauge side is at small y, of the rail as it stands and upside down.
+    pub(super) gauge_left: [Evidence<F>; 2],
+    /// Number of heads as it stands and upside down.
+    pub(super) heads: [usize; 2],
+}
+
+/// How a profile goes on beside a flat part.
+#[derive(Clone, Copy, Default)]
+struct Flank<F> {
+    /// 1: z grows, -1: z becomes smaller, 0: the profile ends.
+    sign: F,
+    /// Height between the end of the flat part and the farthest point before the profile returns.
+    depth: F,
+    has_tip: bool,
+    /// Another flat part follows near the height of this one.
+    returns: bool,
+}
+
+#[derive(Clone, Copy, Default)]
+struct Flat<F> {
+    first: usize,
+    last: usize,
+    length: F,
+    sides: [Flank<F>; 2],
+}
+
+type Flats<F> = heapless::Vec<Flat<F>, MOST_FLATS>;
+
+/// The middle one of five.
+fn middle<F: Float>([a, b, c, d, e]: [F; 5]) -> F {
+    let sorted = |a: F, b: F| (a.min(b), a.max(b));
+    let ((a, b), (c, d)) = (sorted(a, b), sorted(c, d));
+    // Neither the least nor the largest of four is the middle of five
+    let (low, high) = (a.max(c), b.min(d));
+    let (low, high) = sorted(low, high);
+    e.max(low).min(high)
+}
+
+/// The largest number minus the least.
+pub(super) fn width_of<F: Float>(list: &[F]) -> F {
+    let least = list.iter().fold(F::LARGEST, |least, x| least.min(*x));
+    list.iter().fold(-F::LARGEST, |most, x| most.max(*x)) - least
+}
+
+/// A prepared profile, z down or up.
+struct Examined<F>(PreparedProfile<F>);
+
+impl<F: Float> Shape<F> {
+    /// The evidence of the points \[m\] of a profile, in their order, either way along y; none if
+    /// no line follows the points.
+    pub(super) fn of_points(y: &[F], z: &[F]) -> Option<Self> {
+        let every = 1 + y.len() / MOST;
+        let mut thinned = [[F::zero(); MOST]; 2];
+        let count = y.len().div_ceil(every).min(MOST);
+        for (list, thin) in [y, z].into_iter().zip(&mut thinned) {
+            let at = |k: usize| list.get(k * every).copied().unwrap_or(F::zero());
+            for (k, place) in thin.iter_mut().enumerate().take(count) {
+                let is_inner = k >= 2 && k + 2 < count && count >= 20;
+                let five = || [at(k - 2), at(k - 1), at(k), at(k + 1), at(k + 2)];
+                *place = if is_inner { middle(five()) } else { at(k) };
+            }
+        }
+        let [y, z] = [thinned[0].get(..count)?, thinned[1].get(..count)?];
+        let size = (width_of(y).squared() + width_of(z).squared()).sqrt();
+        let mut line = Examined(PreparedProfile::new());
+        line.0.prepare(y, z, F::zero(), size.times(SMOOTHING)).ok()?;
+        Some(line.shape())
+    }
+}
+
+impl<F: Float> Examined<F> {
+    fn number_of_points(&self) -> usize {
+        self.0.count as usize
+    }
+
+    fn y(&self, k: usize) -> F {
+        self.0.y.get(k).copied().unwrap_or(F::zero())
+    }
+
+    fn z(&self, k: usize) -> F {
+        self.0.z.get(k).copied().unwrap_or(F::zero())
+    }
+
+    fn shape(&self) -> Shape<F> {
+        let flats = self.flats();
+        let main = flats.iter().copied().reduce(|a, b| if b.length > a.length { b } else { a });
+        let Some(main) = main else { return Shape::default() };
+        let wheel_down = self.wheel_down(&main);
+        let is_down = !wheel_down.is_no();
+        let [stands, turned] = [1.0, -1.0].map(|sign| self.gauge_left(&flats, F::of(sign)));
+        Shape {
+            is_wheel: self.is_wheel(&main, &flats),
+            wheel_down,
+            rail_down: self.rail_down(&flats),
+            flange_left: flange_left(&main, if is_down { F::one() } else { -F::one() }),
+            gauge_left: [stands.0, turned.0],
+            heads: [stands.1, turned.1],
+        }
+    }
+
+    /// Parts that are flat; narrow dents divide none.
+    fn flats(&self) -> Flats<F> {
+        let length = |first: usize, last: usize| self.0.step * F::widened((last - first) as f32);
+        let longest_of = |flats: &Flats<F>| {
+            flats.iter().fold(F::zero(), |most, flat| most.max(length(flat.first, flat.last)))
+        };
+        // More of them are a rough line, of which the first tell enough.
+        let (mut runs, mut flats) = (Flats::<F>::new(), Flats::<F>::new());
+        for k in (0..self.number_of_points()).filter(|k| self.is_flat(*k)) {
+            match runs.last_mut().filter(|run| run.last + 1 == k) {
+                Some(run) => run.last = k,
+                None => drop(runs.push(Flat { first: k, last: k, ..Flat::default() })),
+            }
+        }
+        let longest = longest_of(&runs);
+        for run in runs.iter().copied() {
+            let joins = |before: &&mut Flat<F>| {
+                length(before.last, run.first) < longest.times(0.06)
+                    && (self.z(run.first) - self.z(before.last)).abs() < longest.times(0.03)
+            };
+            match flats.last_mut().filter(joins) {
+                Some(before) => before.last = run.last,
+                None => drop(flats.push(run)),
+            }
+        }
+        let longest = longest_of(&flats);
+        flats.iter_mut().for_each(|flat| flat.length = length(flat.first, flat.last));
+        flats.retain(|flat| flat.length >= longest.times(0.03));
+        self.add_sides(&mut flats, longest);
+        flats
+    }
+
+    fn is_flat(&self, k: usize) -> bool {
+        let point = self.0.point(k);
+        point.is_some_and(|at| at.sine.abs() < F::of(FLAT) && at.cosine > F::zero())
+    }
+
+    fn add_sides(&self, flats: &mut Flats<F>, longest: F) {
+        let least = longest.times(0.05);
+        let all = flats.clone();
+        let height = |flat: &Flat<F>| self.z((flat.first + flat.last) / 2);
+        for (number, flat) in flats.iter_mut().enumerate() {
+            let left = self.side((0..=flat.first).rev(), least);
+            let right = self.side(flat.last..self.number_of_points(), least);
+            let is_near = |other: &Flat<F>| {
+                (height(other) - height(flat)).abs() < longest.times(0.3)
+                    && other.length >= longest.times(0.1)
+            };
+            let has_left = all.iter().take(number).any(is_near);
+            let has_right = all.iter().skip(number + 1).any(is_near);
+            flat.sides = [(left, has_left), (right, has_right)]
+                .map(|(side, has_other)| Flank { returns: side.has_tip && has_other, ..side });
+        }
+    }
+
+    /// The way from the end of a flat part, over heights of at least `least`.
+    fn side(&self, points: impl Iterator<Item = usize>, least: F) -> Flank<F> {
+        let (mut begin, mut side) = (None, Flank::<F>::default());
+        for k in points {
+            let rise = self.z(k) - *begin.get_or_insert(self.z(k));
+            if side.sign.abs() <= F::zero() && rise.abs() > least {
+                side.sign = if rise > F::zero() { F::one() } else { -F::one() };
+            }
+            let depth = side.sign * rise;
+            side.depth = side.depth.max(depth);
+            if side.depth - depth > least {
+                side.has_tip = true;
+                break;
+            }
+        }
+        side
+    }
+
+    fn wheel_down(&self, tread: &Flat<F>) -> Evidence<F> {
+        let [left, right] = tread.sides;
+        let same = (left.sign - right.sign).abs() <= F::zero();
+        if same && !left.has_tip && !right.has_tip {
+            // No flange: the edges of a roller are up, and between them it is crowned.
+            if left.sign.abs() > F::zero() {
+                let depth = left.depth.min(right.depth);
+                return Evidence::new(-left.sign * depth, depth);
+            }
+            return self.crown(-F::one());
+        }
+        let [left, right] = tread.sides.map(|side| side.sign * flange_reach(&side, tread.length));
+        Evidence::new(left + right, left.abs() + right.abs())
+    }
+
+    /// Whether the middle of a profile is higher than its ends (sign 1) or lower (sign -1); weak
+    /// where it is nearly straight.
+    fn crown(&self, sign: F) -> Evidence<F> {
+        let last = self.number_of_points().saturating_sub(1);
+        let sagitta = (self.z(0) + self.z(last)).times(0.5) - self.z(self.number_of_points() / 2);
+        Evidence::new(sign * sagitta, sagitta.abs().max(self.width().times(1e-3)))
+    }
+
+    fn width(&self) -> F {
+        self.0.y.get(..self.number_of_points()).map_or(F::zero(), width_of)
+    }
+
+    fn rail_down(&self, flats: &Flats<F>) -> Evidence<F> {
+        let mut found = Evidence::default();
+        for flat in flats {
+            let [left, right] = flat.sides.map(|side| side.sign);
+            found.value += (flat.length * (left + right)).times(0.5);
+            found.weight += (flat.length * (left.abs() + right.abs())).times(0.5);
+        }
+        if found.weight > F::zero() { found } else { self.crown(F::one()) }
+    }
+
+    /// Whether the gauge side of a rail is at small y, from its head alone, and the number of
+    /// heads; z points down with the sign.
+    fn gauge_left(&self, flats: &Flats<F>, sign: F) -> (Evidence<F>, usize) {
+        let longest = flats.iter().fold(F::zero(), |most, flat| most.max(flat.length));
+        let is_head = |flat: &&Flat<F>| {
+            let falls = flat.sides.iter().any(|side| side.sign * sign > F::zero());
+            let rises = flat.sides.iter().any(|side| side.sign * sign < F::zero());
+            falls && !rises && flat.length > longest.times(0.1)
+        };
+        let count = flats.iter().filter(is_head).count();
+        let head = flats.iter().filter(is_head);
+        let head = head.reduce(|a, b| if b.length > a.length { b } else { a });
+        head.map_or((Evidence::default(), 0), |head| (self.lean(head, sign), count))
+    }
+
+    /// Rails lean toward the gauge side, and they wear there: their top lies away from it.
+    fn lean(&self, head: &Flat<F>, sign: F) -> Evidence<F> {
+        let z = |k: usize| sign * self.z(k);
+        // Down each side, until it rises again, and at most 25 mm below the head
+        let goes_on = |from: usize, to: usize, end: usize| {
+            z(to) > z(from).plus(-1e-4) && z(from) < z(end).plus(0.025)
+        };
+        let (mut first, mut last) = (head.first, head.last);
+        while first > 0 && goes_on(first, first - 1, head.first) {
+            first -= 1;
+        }
+        while last + 1 < self.number_of_points() && goes_on(last, last + 1, head.last) {
+            last += 1;
+        }
+        let top = (first..=last).reduce(|a, b| if z(b) < z(a) { b } else { a }).unwrap_or(first);
+        let between = |a: usize, b: usize, level: F| {
+            self.y(a) + (level - z(a)) * (self.y(b) - self.y(a)) / (z(b) - z(a))
+        };
+        let reach = |depth: F| {
+            let level = z(top) + depth;
+            let left = (first..top).rev().find(|k| z(*k) > level);
+            let right = (top + 1..=last).find(|k| z(*k) > level);
+            match (left, right) {
+                (Some(left), Some(right)) => {
+                    [between(left, left + 1, level), between(right - 1, right, level)]
+                }
+                _ => [self.y(first), self.y(last)],
+            }
+        };
+        let lowest = z(first).min(z(last)) - z(top);
+        let [left, right] = reach(lowest.times(0.1).min(F::of(1e-4)));
+        let centre = (left + right).times(0.5);
+        let [left, right] = reach(lowest.times(0.9).min(F::of(0.014)));
+        Evidence::new((centre - left) - (right - centre), (right - left).times(0.2))
+    }
+
+    fn is_wheel(&self, main: &Flat<F>, flats: &Flats<F>) -> Evidence<F> {
+        let of = |value: f64| Evidence::new(F::of(value), F::one());
+        let [left, right] = main.sides;
+        let has_flange = main.sides.map(|side| {
+            side.has_tip
+                && !side.returns
+                && side.depth > main.length.times(0.1)
+                && side.depth < main.length.times(0.9)
+        });
+        let is_other =
+            |flat: &Flat<F>| flat.first != main.first && flat.length > main.length.times(0.25);
+        let has_others = flats.iter().any(is_other);
+        let same = (left.sign - right.sign).abs() <= F::zero();
+        if has_flange.contains(&true) && !has_others {
+            of(if !same || !has_flange.contains(&false) { 1.0 } else { 0.3 })
+        } else if has_others || (same && left.sign.abs() > F::zero()) {
+            of(-1.0)
+        } else {
+            // One side, or none: a rail's head is at most 80 mm wide.
+            of(if self.width() > F::of(0.09) { 0.1 } else { -0.1 })
+        }
+    }
+}
+
+/// How far a side reaches as the flange of a tread: one with a tip counts in full.
+fn flange_reach<F: Float>(side: &Flank<F>, length: F) -> F {
+    let depth = side.depth.min(length.times(0.4));
+    if side.has_tip && !side.returns { depth } else { depth.times(0.4) }
+}
+
+fn flange_left<F: Float>(tread: &Flat<F>, sign: F) -> Evidence<F> {
+    let [left, right] = tread.sides.map(|side| {
+        if side.sign * sign > F::zero() { flange_reach(&side, tread.length) } else { F::zero() }
+    });
+    Evidence::new(left - right, left + right)
+}
