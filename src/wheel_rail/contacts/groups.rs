@@ -219,8 +219,8 @@ impl<F: Float> Strong<'_, F> {
             |k: usize, distance: Option<F>| distance.is_some_and(|d| d * self.factor(k) <= length);
         let weak = [own, next].map(|place| !(place.depth >= self.level));
         // to the strong zone before, to that after, or to none
-        let [[before, next_before], [after, next_after]] =
-            [0, 1].map(|side| [k, k + 1].map(|k| is_near(k, self.distances(k)[side])));
+        let [[before, after], [next_before, next_after]] =
+            [k, k + 1].map(|k| self.distances(k).map(|distance| is_near(k, distance)));
         let own = [before, weak[0] && after];
         let next = [weak[1] && next_before, next_after];
         own == next
