@@ -233,10 +233,10 @@ class _Table:
 
     def _plain_rows(self, first: int, last: int) -> Optional[tuple[Array, Array, Lines]]:
         """Lines that numpy reads: the same number of plain numbers in each; None for anything else."""
-        if last - first < 1000 or self.has_quotes or self.comma_is_point or self.footer[0] or self.missing:
+        if last - first < 1000 or self.has_quotes or self.footer[0] or self.missing:
             return None
         try:
-            values = np.loadtxt(self.lines[first:last], delimiter=self.separator, comments=None, ndmin=2)
+            values = np.loadtxt([self.number(line) for line in self.lines[first:last]], delimiter=self.separator, comments=None, ndmin=2)
         except ValueError:
             return None
         if len(values) != last - first or not np.isfinite(values).all():
