@@ -114,7 +114,7 @@ fn is_upward<F: Float>(
     let (down, may_overrule) = match kind {
         Kind::Wheel => (shape.wheel_down, is_clear_wheel(shape)),
         // A rail is overruled if it has a head upside down and none as it stands.
-        Kind::Rail => (shape.rail_down, shape.heads == [0, 1]),
+        Kind::Rail => (shape.rail_down, shape.heads == [0, 1] && shape.has_deep_head_turned),
     };
     if has_convention {
         let is_against = down.is_no() && down.is_at_least(DECISIVE) && may_overrule;

@@ -19,6 +19,8 @@ const FLAT: f64 = 0.342;
 /// Most points that are used, and most flat parts.
 const MOST: usize = 500;
 const MOST_FLATS: usize = 64;
+/// Least depth of the sides of a rail's head \[m\]. A groove for a ball is less deep.
+const DEEP: f64 = 8e-3;
 /// The size of a profile over the length with which it is smoothed.
 const SMOOTHING: f64 = 1.0 / 40.0;
 
@@ -57,6 +59,8 @@ pub(super) struct Shape<F> {
     pub(super) gauge_left: [Evidence<F>; 2],
     /// Number of heads as it stands and upside down.
     pub(super) heads: [usize; 2],
+    /// A head upside down has sides as deep as those of a rail.
+    pub(super) has_deep_head_turned: bool,
 }
 
 /// How a profile goes on beside a flat part.
@@ -143,6 +147,7 @@ impl<F: Float> Examined<F> {
         let wheel_down = self.wheel_down(&main);
         let is_down = !wheel_down.is_no();
         let [stands, turned] = [1.0, -1.0].map(|sign| self.gauge_left(&flats, F::of(sign)));
+        let mut sides_turned = heads(&flats, -F::one()).flat_map(|head| head.sides);
         Shape {
             is_wheel: self.is_wheel(&main, &flats),
             wheel_down,
@@ -150,6 +155,7 @@ impl<F: Float> Examined<F> {
             flange_left: flange_left(&main, if is_down { F::one() } else { -F::one() }),
             gauge_left: [stands.0, turned.0],
             heads: [stands.1, turned.1],
+            has_deep_head_turned: sides_turned.any(|side| side.depth >= F::of(DEEP)),
         }
     }
 
@@ -266,15 +272,8 @@ impl<F: Float> Examined<F> {
     /// Whether the gauge side of a rail is at small y, from its head alone, and the number of
     /// heads; z points down with the sign.
     fn gauge_left(&self, flats: &Flats<F>, sign: F) -> (Evidence<F>, usize) {
-        let longest = flats.iter().fold(F::zero(), |most, flat| most.max(flat.length));
-        let is_head = |flat: &&Flat<F>| {
-            let falls = flat.sides.iter().any(|side| side.sign * sign > F::zero());
-            let rises = flat.sides.iter().any(|side| side.sign * sign < F::zero());
-            falls && !rises && flat.length > longest.times(0.1)
-        };
-        let count = flats.iter().filter(is_head).count();
-        let head = flats.iter().filter(is_head);
-        let head = head.reduce(|a, b| if b.length > a.length { b } else { a });
+        let count = heads(flats, sign).count();
+        let head = heads(flats, sign).reduce(|a, b| if b.length > a.length { b } else { a });
         head.map_or((Evidence::default(), 0), |head| (self.lean(head, sign), count))
     }
 
@@ -336,6 +335,16 @@ impl<F: Float> Examined<F> {
             of(if self.width() > F::of(0.09) { 0.1 } else { -0.1 })
         }
     }
+}
+
+/// Heads of a rail: flat parts beside which the profile falls; z points down with the sign.
+fn heads<F: Float>(flats: &Flats<F>, sign: F) -> impl Iterator<Item = &Flat<F>> {
+    let longest = flats.iter().fold(F::zero(), |most, flat| most.max(flat.length));
+    flats.iter().filter(move |flat| {
+        let falls = flat.sides.iter().any(|side| side.sign * sign > F::zero());
+        let rises = flat.sides.iter().any(|side| side.sign * sign < F::zero());
+        falls && !rises && flat.length > longest.times(0.1)
+    })
 }
 
 /// How far a side reaches as the flange of a tread: one with a tip counts in full.

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from ._files_formats import kind_of_extension, read_points
 from ._files_points import UNITS, Array, Points, ProfileError, ProfileWarning, Wanted
-from ._files_shape import DECISIVE, WEAK, Evidence, Shape, shape_of
+from ._files_shape import DECISIVE, DEEP, WEAK, Evidence, Shape, shape_of
 from ._files_table import as_missing
 from ._group import Group
 from ._wheel import PreparedProfile, prepare_profile
@@ -322,7 +322,8 @@ def _turned(kind: str, has_convention: bool, shape: Shape, mirror_y: Optional[bo
 def _is_upward(kind: str, has_convention: bool, shape: Shape, down: Evidence, notes: list[str], doubts: list[str]) -> bool:
     if has_convention:
         # A rail is overruled if it has a head upside down and none as it stands.
-        clear = down.strength >= DECISIVE and (shape.heads == (0, 1) if kind == "rail" else shape.is_wheel.strength >= 1.0 and shape.is_wheel.value > 0)
+        is_rail = shape.heads == (0, 1) and shape.turned_depth >= DEEP
+        clear = down.strength >= DECISIVE and (is_rail if kind == "rail" else shape.is_wheel.strength >= 1.0 and shape.is_wheel.value > 0)
         if down.value < 0 and clear:
             doubts.append("z points up by the shape, against the format; mirror_z=False keeps it")
             return True

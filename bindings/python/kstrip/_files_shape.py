@@ -23,6 +23,8 @@ Array = NDArray[np.float64]
 _FLAT = 0.342
 #: Strength of evidence, 0 to 1, below which it is weak, and from which it overrules the convention of a format.
 WEAK, DECISIVE = 0.2, 0.6
+#: Least depth of the sides of a rail's head [m]. A groove for a ball is less deep.
+DEEP = 8e-3
 #: Most points that are used.
 _MOST = 500
 
@@ -80,6 +82,8 @@ class Shape:
     gauge_left: tuple[Evidence, Evidence]
     #: number of heads of a rail as it stands, and upside down
     heads: tuple[int, int]
+    #: depth of the sides of heads that are upside down [m]
+    turned_depth: float = 0.0
     #: whether a line follows the points
     is_line: bool = True
 
@@ -88,7 +92,7 @@ class Shape:
                      self.flange_left + other.flange_left,
                      (self.gauge_left[0] + other.gauge_left[0], self.gauge_left[1] + other.gauge_left[1]),
                      (max(self.heads[0], other.heads[0]), max(self.heads[1], other.heads[1])),
-                     self.is_line and other.is_line)
+                     max(self.turned_depth, other.turned_depth), self.is_line and other.is_line)
 
 
 def prepared(y: Array, z: Array) -> Optional[tuple[Array, Array, Array, Array]]:
@@ -105,7 +109,7 @@ def prepared(y: Array, z: Array) -> Optional[tuple[Array, Array, Array, Array]]:
 
 def shape_of(y: Array, z: Array) -> Shape:
     """The evidence of a profile's shape; its points [m] in their order, either way along y."""
-    none = Shape(Evidence(), Evidence(), Evidence(), Evidence(), (Evidence(), Evidence()), (0, 0), False)
+    none = Shape(Evidence(), Evidence(), Evidence(), Evidence(), (Evidence(), Evidence()), (0, 0), is_line=False)
     # A few thousand points tell the shape
     every = 1 + y.size // _MOST
     points = prepared(_without_strays(y[::every]), _without_strays(z[::every]))
@@ -119,7 +123,7 @@ def shape_of(y: Array, z: Array) -> Shape:
     down = _wheel_down(main, *points[:2])
     rails = tuple(_rail_head(flats, points[0], sign * points[1], sign) for sign in (1, -1))
     return Shape(_is_wheel(main, flats, points[0]), down, _rail_down(flats, *points[:2]), _flange_left(main, 1 if down.value >= 0 else -1),
-                 (rails[0][0], rails[1][0]), (rails[0][1], rails[1][1]))
+                 (rails[0][0], rails[1][0]), (rails[0][1], rails[1][1]), rails[1][2])
 
 
 def _without_strays(values: Array) -> Array:
@@ -208,14 +212,14 @@ def _rail_down(flats: list[_Flat], y: Array, z: Array) -> Evidence:
     return Evidence(value, weight) if weight > 0 else _crown(y, z, 1)
 
 
-def _rail_head(flats: list[_Flat], y: Array, z: Array, sign: int) -> tuple[Evidence, int]:
-    """Whether the gauge side of a rail is at small y, from its head alone, and the number of heads, with z down."""
+def _rail_head(flats: list[_Flat], y: Array, z: Array, sign: int) -> tuple[Evidence, int, float]:
+    """Whether the gauge side of a rail is at small y, from its head alone, the number of heads, and the depth of their sides, with z down."""
     falls = [sum(side.sign == sign for side in (flat.left, flat.right)) for flat in flats]
     longest = max(flat.length for flat in flats)
     rises = [sum(side.sign == -sign for side in (flat.left, flat.right)) for flat in flats]
     heads = [flat for flat, fall, rise in zip(flats, falls, rises) if fall and not rise and flat.length > 0.1 * longest]
     if not heads:
-        return Evidence(), 0
+        return Evidence(), 0, 0.0
     head = max(heads, key=lambda flat: flat.length)
     first, last = head.first, head.last
     # Down each side, until it rises again, and at most 25 mm below the head
@@ -223,7 +227,8 @@ def _rail_head(flats: list[_Flat], y: Array, z: Array, sign: int) -> tuple[Evide
         first -= 1
     while last < z.size - 1 and z[last + 1] > z[last] - 1e-4 and z[last] < z[head.last] + 0.025:
         last += 1
-    return _gauge_left(y[first : last + 1], z[first : last + 1]), len(heads)
+    depth = max(side.depth for flat in heads for side in (flat.left, flat.right))
+    return _gauge_left(y[first : last + 1], z[first : last + 1]), len(heads), depth
 
 
 def _gauge_left(y: Array, z: Array) -> Evidence:

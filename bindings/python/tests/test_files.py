@@ -478,6 +478,12 @@ class Files(unittest.TestCase):
         self.assertEqual(found.kind, "rail")
         self.assertIn("the header says wheel and the extension rail", self.warned[0])
 
+    def test_a_groove_for_a_ball_stands_as_its_format_has_it(self):
+        y = np.linspace(-12.0, 12.0, 200)
+        groove = np.column_stack((y, np.sqrt(20.0**2 - y**2) - 20.0))
+        self.same(self.read("ring.prr", simpack(groove, False)), groove)
+        self.assertEqual(self.warned, [])
+
     def test_wheel_of_miniprof_stands_at_its_running_circle(self):
         wheel = points("s1002")
         for y_sign in (1, -1):
