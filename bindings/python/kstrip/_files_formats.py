@@ -390,6 +390,8 @@ def _dxf(path: pathlib.Path, content: bytes) -> Points:
     pieces = []
     for entity in drawing.modelspace().query("LWPOLYLINE POLYLINE LINE ARC SPLINE ELLIPSE"):
         points = np.array([(p.x, p.y) for p in flat.make_path(entity).flattening(2e-3 * 1e-3 / (found.unit or 1e-3))]).reshape(-1, 2)
+        if not np.isfinite(points).all():
+            raise found.error(None, "a coordinate of the drawing is not a finite number")
         if len(points) > 1:
             pieces.append(points)
     chains = _chains(pieces)
@@ -407,24 +409,44 @@ def _dxf(path: pathlib.Path, content: bytes) -> Points:
 
 def _chains(pieces: list[Any]) -> list[Any]:
     """Pieces whose ends meet, joined."""
-    if not pieces:
-        return []
-    extent = max(float(np.ptp(np.concatenate(pieces), axis=0).max()), 1e-300)
-    rest, chains = list(pieces), []
+    near = max(1e-5 * float(np.ptp(np.concatenate(pieces), axis=0).max()), 1e-300) if pieces else 0.0
+    # Numbers of the pieces with an end in each cell of a grid, in ascending order
+    ends: dict[tuple[int, int], dict[int, None]] = {}
+    rest = dict.fromkeys(range(len(pieces)))
+
+    def cell(point: Any) -> tuple[int, int]:
+        return math.floor(point[0] / near), math.floor(point[1] / near)
+
+    def take(k: int) -> Any:
+        del rest[k]
+        for point in (pieces[k][0], pieces[k][-1]):
+            ends[cell(point)].pop(k, None)
+        return pieces[k]
+
+    def from_point(point: Any) -> Any:
+        """The first piece with an end at a point, beginning there; None without one."""
+        column, row = cell(point)
+        around = (ends.get((column + i, row + j), {}) for i in (-1, 0, 1) for j in (-1, 0, 1))
+        for k in sorted(set().union(*around)):
+            for turn in (1, -1):
+                if np.abs(pieces[k][::turn][0] - point).max() < near:
+                    return take(k)[::turn]
+        return None
+
+    def grown(point: Any) -> list[Any]:
+        """The pieces that follow a point, without the points where they begin."""
+        parts = []
+        while (piece := from_point(point)) is not None:
+            parts.append(piece[1:])
+            point = piece[-1]
+        return parts
+
+    for k, piece in enumerate(pieces):
+        for point in (piece[0], piece[-1]):
+            ends.setdefault(cell(point), {})[k] = None
+    chains = []
     while rest:
-        chain, grown = rest.pop(0), True
-        while grown:
-            grown = False
-            for k, piece in enumerate(rest):
-                for candidate in (piece, piece[::-1]):
-                    if np.abs(candidate[0] - chain[-1]).max() < 1e-5 * extent:
-                        chain, grown = np.concatenate((chain, candidate[1:])), True
-                    elif np.abs(candidate[-1] - chain[0]).max() < 1e-5 * extent:
-                        chain, grown = np.concatenate((candidate[:-1], chain)), True
-                    if grown:
-                        rest.pop(k)
-                        break
-                if grown:
-                    break
-        chains.append(chain)
+        first = take(next(iter(rest)))
+        after, before = grown(first[-1]), grown(first[0])
+        chains.append(np.concatenate([part[::-1] for part in reversed(before)] + [first] + after))
     return chains

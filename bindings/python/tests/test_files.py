@@ -599,6 +599,29 @@ class Files(unittest.TestCase):
                 np.testing.assert_allclose(np.interp(inside[:, 0], found.y[order], found.z[order]), inside[:, 1], atol=5e-6)
                 self.assertIn("separate lines, of which the longest is read", "\n".join(found.notes))
 
+    @unittest.skipUnless(importlib.util.find_spec("ezdxf"), "SKIPPED: ezdxf is not installed")
+    def test_drawings_of_many_lines(self):
+        """Lines in any order and direction, some of which meet in one point, and a number that is not finite."""
+        import ezdxf
+
+        random = np.random.default_rng(7)
+        y = np.linspace(-35.0, 35.0, 2001)
+        points = np.column_stack((y, -(y**2) / 300.0))
+        drawing = ezdxf.new(units=4)
+        space = drawing.modelspace()
+        for k in random.permutation(2000):
+            space.add_line(*(points[[k, k + 1]] if random.random() < 0.5 else points[[k + 1, k]]))
+        for angle in np.linspace(0.0, 6.0, 500):
+            space.add_line((0.0, 200.0), (np.cos(angle), 200.0 + np.sin(angle)))
+        path = self.folder / "lines.dxf"
+        drawing.saveas(path)
+        found = kstrip.read_profile(path, kind="rail")
+        self.same(found, points * [1, -1], 1e-8)
+        space.add_line((0.0, 0.0), (np.inf, 0.0))
+        drawing.saveas(path)
+        with self.assertRaisesRegex(kstrip.ProfileError, "not a finite number"):
+            kstrip.read_profile(path)
+
     def test_rollers_and_weak_shapes(self):
         y = np.linspace(-12.0, 12.0, 121)
         roller = np.c_[y, -(y**2) / 400.0]
