@@ -39,16 +39,13 @@ pub(super) fn solve_side_by_side<F: Float>(
 }
 
 /// [`differentiate_batch`](crate::batch::differentiate_batch) of checked contacts side by side, if
-/// the processor has wide registers and no friction falls. The strips of one contact fill the
-/// registers already, so that models with strips are not among them.
+/// the processor has wide registers and no friction falls.
 #[inline]
 pub(super) fn differentiate_side_by_side<F: Float>(
     count: usize, options: &Options, get: &impl Fn(usize) -> Case<F>,
     put: &mut impl FnMut(usize, &DifferentiatedCase<F>),
 ) -> Option<Found<Warning>> {
-    let together = has_avx()
-        && matches!(options.model, Model::Total | Model::Linear)
-        && (0..count).all(|i| get(i).2.is_none());
+    let together = has_avx() && (0..count).all(|i| get(i).2.is_none());
     // SAFETY: the processor was asked.
     if together && has_avx512() {
         return Some(unsafe { avx512::differentiate_each(0..count, options, get, put) });
@@ -186,10 +183,17 @@ macro_rules! compiled_for {
                         continue;
                     }
                     let frame = &ScaledContact::new(&contact);
-                    let (forces, psi, slopes) = if options.model == Model::Linear {
-                        slopes::<_, Linear<F::$contacts>>(frame, &creepage, options)
-                    } else {
-                        slopes::<_, Total<F::$contacts>>(frame, &creepage, options)
+                    let (forces, psi, slopes) = match options.model {
+                        Model::Strip1967 | Model::Strip1967Continuous => {
+                            slopes::<_, Strip1967>(frame, &creepage, options)
+                        }
+                        Model::Strip => {
+                            slopes::<_, EllipseStrips<F::$contacts>>(frame, &creepage, options)
+                        }
+                        Model::Total => slopes::<_, Total<F::$contacts>>(frame, &creepage, options),
+                        Model::Linear => {
+                            slopes::<_, Linear<F::$contacts>>(frame, &creepage, options)
+                        }
                     };
                     let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
                     for (k, i) in numbers.enumerate() {

@@ -191,7 +191,7 @@ impl<F: Real> Units<F> {
 
     /// `vx, vy = G a b (υx, υy)/(μ N)` and `φ = G (ab)^{3/2} ϕ/(μ N)`, the creepages in the units
     /// of the linear theory: `ξ = π vx/(3 (1 − ν))`, `η = π vy/3`, `ψ = (π/3) √(a/b) φ`.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn normalised<T: Number<Base = F>>(&self, parameters: &Parameters<T>) -> [T; 3] {
         let Parameters { xi, eta, psi, .. } = *parameters;
         let [by_xi, by_psi] = self.back;

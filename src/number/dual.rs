@@ -38,7 +38,8 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
         Self { value, gradient: P::each(&self.gradient, |d| *d * slope) }
     }
 
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn combine(self, other: Self, value: P, by_self: P, by_other: P) -> Self {
         let mut gradient = self.gradient;
         for (own, other) in gradient.iter_mut().zip(other.gradient) {
@@ -48,7 +49,8 @@ impl<P: Arithmetic<Value = P>, const M: usize> Dual<P, M> {
     }
 
     /// `yes` where the test is positive, else `no`.
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn pick(test: P, yes: Self, no: Self) -> Self {
         let mut gradient = no.gradient;
         for (own, other) in gradient.iter_mut().zip(yes.gradient) {
@@ -84,7 +86,8 @@ sums!(Add add AddAssign add_assign Sub sub SubAssign sub_assign);
 
 impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn mul(self, other: Self) -> Self {
         self.combine(other, self.value * other.value, other.value, self.value)
     }
@@ -92,7 +95,8 @@ impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
     type Output = Self;
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
         let inverse = P::one() / other.value;
@@ -173,15 +177,18 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     fn abs(self) -> Self {
         Self::pick(-self.value, -self, self)
     }
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn max(self, other: Self) -> Self {
         Self::pick(self.value - other.value, self, other)
     }
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn min(self, other: Self) -> Self {
         Self::pick(other.value - self.value, self, other)
     }
-    #[inline]
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline)]
     fn choose(self, yes: Self, no: Self) -> Self {
         Self::pick(self.value, yes, no)
     }

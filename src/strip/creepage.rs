@@ -161,14 +161,12 @@ impl<F: Real> Flexibilities<F> {
         let (x2, px2, y2, py2) = (vx * vx, px * px, vy * vy, py * py);
 
         // Every quotient (s − c)/(s + c) is computed as 1 − 2 c/(s + c), two divisions at a time.
-        let inverse = |first: T, second: T| T::Pair::couple(first, second).inverse().parts();
         let (by_x, by_y) = size.plus(1.0).inverse().parts();
-        let (over_x, over_y) = inverse((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
-        let (by_s, by_few) = inverse(ss.plus(1.0), ss.plus(0.1));
-        let (by_less, by_more) = inverse(ss.plus(0.3), ss.plus(2.0));
-        let (by_t, by_q) = inverse(t2.plus(0.1), q2.plus(1.0));
-        let (by_n, by_n2) = inverse(q2.plus(WIDTH), q2.plus(WIDTH2));
-        let less = |quotient: T, twice: f64| quotient.times(-twice).plus(1.0);
+        let (over_x, over_y) = inverses((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
+        let (by_s, by_few) = inverses(ss.plus(1.0), ss.plus(0.1));
+        let (by_less, by_more) = inverses(ss.plus(0.3), ss.plus(2.0));
+        let (by_t, by_q) = inverses(t2.plus(0.1), q2.plus(1.0));
+        let (by_n, by_n2) = inverses(q2.plus(WIDTH), q2.plus(WIDTH2));
         let features: [T; INPUTS] = [
             (x2 - px2) * over_x,
             (vy * py).times(2.0) * over_y,
@@ -205,11 +203,6 @@ impl<F: Real> Flexibilities<F> {
         let elastic = (m2 * m2).plus(LIMIT).inverse().times(LIMIT);
         let rigid = (one - elastic).scale(self.rigid);
 
-        let positive = |first: T, second: T| {
-            // o + √(1 + o²): positive, 1 at 0
-            let o = T::Pair::couple(first, second);
-            (o + o.squared().plus(1.0).sqrt()).parts()
-        };
         let (e_x, e_y) = positive(w * o_x, w * o_y);
         let (e_spin, e_share) = positive(w * o_spin, w * o_share);
         let bend_square = o_bend.squared();
@@ -300,8 +293,27 @@ impl<T: Number> Distribution<T> {
     }
 }
 
+/// `1/x` of both.
+#[inline(always)]
+pub(super) fn inverses<T: Number>(first: T, second: T) -> (T, T) {
+    T::Pair::couple(first, second).inverse().parts()
+}
+
+/// `1 − q c`
+#[inline(always)]
+fn less<T: Number>(quotient: T, twice: f64) -> T {
+    quotient.times(-twice).plus(1.0)
+}
+
+/// `o + √(1 + o²)` of both: positive, 1 at 0.
+#[inline(always)]
+fn positive<T: Number>(first: T, second: T) -> (T, T) {
+    let o = T::Pair::couple(first, second);
+    (o + o.squared().plus(1.0).sqrt()).parts()
+}
+
 /// `√(x² + 0.03²) − 0.03`
-#[inline]
+#[inline(always)]
 fn magnitude<T: Arithmetic>(x: T) -> T {
     x.squared().plus(0.0009).sqrt().plus(-0.03)
 }

@@ -5,10 +5,11 @@
 //! corrections of a second network are added, which was fitted to long contacts alone. Their weight
 //! has two continuous derivatives and is one from 3.75 on. No paper has these corrections.
 
+use super::creepage::inverses;
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows_to, evens_first, every_second, table, widen};
-use crate::number::{Arithmetic, Number, Pair, Real, Strips};
+use crate::number::{Number, Real, Strips};
 use crate::numerics::ramp;
 
 const UNITS: usize = OUTPUT.len();
@@ -33,7 +34,7 @@ pub(crate) struct LongContact<F> {
 
 impl<F: Real> LongContact<F> {
     /// From `√(a/b)`, `2(√g − 1)/(√g + 1)` and `4ν − 1`.
-    #[inline]
+    #[inline(always)]
     pub fn new(root: F, ratio: F, poisson: F) -> Self {
         // w = z³ (10 − 15 z + 6 z²)
         let z = ramp(root, LONG);
@@ -50,7 +51,7 @@ impl<F: Real> LongContact<F> {
 
     /// `(1 + w ((a/10 b)³ − 1))^(−1/2)`: the linear force of a spin grows with the contact's
     /// length, its slip does not, so that less of it counts toward rigid slip.
-    #[inline]
+    #[inline(always)]
     pub fn of_spin(&self, root: F) -> F {
         let length = root.squared().times(1.0 / SATURATES_AT);
         (self.share * (length * length.squared()).plus(-1.0)).plus(1.0).sqrt().inverse()
@@ -63,14 +64,13 @@ impl<F: Real> LongContact<F> {
     pub fn long_corrections<T: Number<Base = F>, P: Strips<F>>(
         &self, shared: [T; SHARED], [lx, ly, ls]: [T; 3], [x2, y2, p2]: [T; 3], turn: T, psi: T,
     ) -> [T; CORRECTIONS] {
-        let inverse = |first: T, second: T| T::Pair::couple(first, second).inverse().parts();
         // Quotient of the rigid slip of creepage and of spin at the ends of the long axis.
-        let (over_x, over_y) = inverse((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
+        let (over_x, over_y) = inverses((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
         // Quotients of the linear forces, their total, and |ψ|.
         let (lx2, ly2, ls2) = (lx * lx, ly * ly, ls * ls);
-        let (by_ys, by_xs) = inverse((ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01));
-        let (by_less, by_more) = inverse(psi.plus(0.3), psi.plus(1.0));
-        let (by_xy, by_far) = inverse((lx2 + ly2).plus(0.01), (lx2 + ly2 + ls2).plus(300.0));
+        let (by_ys, by_xs) = inverses((ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01));
+        let (by_less, by_more) = inverses(psi.plus(0.3), psi.plus(1.0));
+        let (by_xy, by_far) = inverses((lx2 + ly2).plus(0.01), (lx2 + ly2 + ls2).plus(300.0));
         let [x, y, spin, couple, few, less, more, all] = shared;
         let inputs: [T; INPUTS] = [
             (x2 - p2) * over_x,

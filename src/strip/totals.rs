@@ -63,7 +63,12 @@ impl<F: Real> EllipseStrips<F> {
                 strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&strips.contact.see(creepage))
             } else {
                 let law = strips.contact.seen::<T, F::Four>(creepage);
-                strips.totals_of::<T, F::Four, F::Four>(&law)
+                if T::HAS_DERIVATIVES && T::LANES > 1 {
+                    // One strip of several contacts fills the register.
+                    strips.totals_of::<T, F::WideRow, F::WideRow>(&law)
+                } else {
+                    strips.totals_of::<T, F::Four, F::Four>(&law)
+                }
             }
         } {
             let law = strips.contact.seen::<T, F::WideRow>(creepage);
@@ -230,7 +235,7 @@ impl<F: Real> EllipseStrips<F> {
         let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
             let arms = [self.contact.root, self.contact.upright].map(P::all);
             let (spin, by_spin) = (&strips.spin, &strips.by_spin);
-            let (carried, own) = if P::COUNT == 1 {
+            let (carried, own) = if P::COUNT == 1 && F::LANES == 1 {
                 alone_with_slopes(&seen, spin, lane & 1 == 1, by_spin)
             } else {
                 forces_and_slopes(&seen, spin, &constants, by_spin)

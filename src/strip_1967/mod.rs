@@ -106,10 +106,11 @@ fn integrals<T: Number>(parameters: &Parameters<T>, rule: SlidingRule) -> Totals
     let short = || without_spin(&motion.values());
     let shares = if T::HAS_DERIVATIVES {
         let mut shares = with_spin(&motion);
-        if !motion.psi.exceeds(T::zero()) {
+        if !motion.psi.value().lies_between(T::TINY, T::LARGEST) {
             // The formulas without spin have no derivative with respect to spin.
             for (share, value) in shares.iter_mut().zip(short()) {
-                *share = T::composed(value, [T::Base::one()], [*share]);
+                let own = T::composed(value, [T::Base::one()], [*share]);
+                *share = motion.psi.choose(*share, own);
             }
         }
         shares
