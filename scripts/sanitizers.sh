@@ -9,7 +9,8 @@
 # sanitizer=address.
 # * Threads: tests/c/threads.c under helgrind, and under ThreadSanitizer with the library built with
 #   -Z sanitizer=thread.
-# Any report ends the script with an error. What is missing on the machine is SKIPPED by name.
+# Any report ends the script with an error. What is missing on the machine is SKIPPED by name. The last
+# line has the date and the commit.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 target=${CARGO_TARGET_DIR:-target}/sanitizers
@@ -132,3 +133,4 @@ C
 else
     echo "SKIPPED: ThreadSanitizer: $(grep -m 1 error "$target/thread.log")"
 fi
+echo "no report on $(date -u +%F) at $(git rev-parse --short HEAD 2> /dev/null || echo "an unknown commit")"
