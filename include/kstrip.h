@@ -1978,16 +1978,25 @@ typedef struct kstrip_wheel_contact {
     double rolling_speed[6];
     /** normal_damping of kstrip_wheel_pair. */
     double normal_damping;
-    /** kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed. */
+    /**
+     * kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted
+     * with load, with the floor of the speed.
+     */
     struct kstrip_motion at_rest;
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
+    /** x and z of a roller's axis from the wheel's centre [m]; 0 and 0 for a straight rail. */
+    double rail_axis[2];
     /**
-     * Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the
-     * normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on
-     * rollers.
+     * Rate of a roller about its axis [rad/s]: rail_speed over rail_radius; 0 for a straight
+     * rail.
      */
-    double own;
+    double rail_rate;
+    /**
+     * Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller
+     * rail_rate times the radius of its own undeformed surface there.
+     */
+    double strip_rail_speed[KSTRIP_PATCH_CAPACITY];
     /**
      * y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of
      * the track; of a left wheel that of the mirrored right wheel.
@@ -1995,8 +2004,16 @@ typedef struct kstrip_wheel_contact {
     double strip_y[KSTRIP_PATCH_CAPACITY];
     /** z of each strip [m]. */
     double strip_z[KSTRIP_PATCH_CAPACITY];
-    /** Angle of each strip [rad], as the angle of the contact. */
+    /**
+     * Angle of each strip [rad], as the angle of the contact: the mean of those of both
+     * undeformed surfaces.
+     */
     double strip_angle[KSTRIP_PATCH_CAPACITY];
+    /**
+     * Tangent of half the angle between the undeformed surfaces at each strip: the angle of the
+     * wheel's is less than strip_angle by the arc tangent of this, that of the rail's is more.
+     */
+    double strip_lean[KSTRIP_PATCH_CAPACITY];
     /** Roll and yaw of the wheel [rad]; of a left wheel those of the mirrored right wheel. */
     double turned[2];
     /** Whether the wheel is a left one, as in kstrip_wheel_pair. */

@@ -1396,9 +1396,12 @@ struct basic_wheel_contact {
     T normal_damping;
     basic_motion<T> at_rest; ///< of the rail's surface
     basic_patch<T> patch;
-    T own;
+    basic_metres<T> rail_axis[2];
+    basic_radians_per_second<T> rail_rate;
+    basic_metres_per_second<T> strip_rail_speed[patch_capacity];
     basic_metres<T> strip_y[patch_capacity], strip_z[patch_capacity];
     basic_radians<T> strip_angle[patch_capacity];
+    T strip_lean[patch_capacity];
     basic_radians<T> turned[2];
     std::int32_t left;
     std::int32_t reserved;

@@ -685,10 +685,13 @@ typedef struct kstrip_wheel_contact_f32 {
     float normal_damping;
     struct kstrip_motion_f32 at_rest;
     struct kstrip_patch_f32 patch;
-    float own;
+    float rail_axis[2];
+    float rail_rate;
+    float strip_rail_speed[KSTRIP_PATCH_CAPACITY];
     float strip_y[KSTRIP_PATCH_CAPACITY];
     float strip_z[KSTRIP_PATCH_CAPACITY];
     float strip_angle[KSTRIP_PATCH_CAPACITY];
+    float strip_lean[KSTRIP_PATCH_CAPACITY];
     float turned[2];
     int32_t left;
     int32_t reserved;

@@ -534,10 +534,13 @@ module kstrip
       real(c_double) :: normal_damping = 0
       type(kstrip_motion) :: at_rest
       type(kstrip_patch) :: patch
-      real(c_double) :: own = 0
+      real(c_double) :: rail_axis(2) = 0
+      real(c_double) :: rail_rate = 0
+      real(c_double) :: strip_rail_speed(kstrip_patch_capacity) = 0
       real(c_double) :: strip_y(kstrip_patch_capacity) = 0
       real(c_double) :: strip_z(kstrip_patch_capacity) = 0
       real(c_double) :: strip_angle(kstrip_patch_capacity) = 0
+      real(c_double) :: strip_lean(kstrip_patch_capacity) = 0
       real(c_double) :: turned(2) = 0
       integer(c_int32_t) :: left = 0
       integer(c_int32_t) :: reserved = 0

@@ -1,6 +1,6 @@
 //! The cubic that has given values and slopes at two places (Hermite's interpolation).
 
-use crate::number::{Arithmetic, Float, between};
+use crate::number::{Arithmetic, Float, at, between};
 
 /// `c₀ + c₁ u + c₂ u² + c₃ u³`.
 #[derive(Clone, Copy, Debug)]
@@ -78,25 +78,34 @@ impl<T: Arithmetic> Cubic<T> {
 /// ```
 ///
 /// A point beside that is closer than `least h` counts less, so that it may come out of an end.
+/// Returned besides is `dp/du/h` of the last number.
 #[inline]
 pub(crate) fn between_parabolas<F: Float, const N: usize>(
     [(from, before), (to, after)]: [(F, [F; N]); 2], beside: [Option<(F, [F; N])>; 2], least: F,
     place: F,
-) -> [F; N] {
+) -> ([F; N], F) {
     let length = to - from + F::TINY;
     let share = ((place - from) / length).clamped(F::zero(), F::one());
+    let rest = F::one() - share;
     let mut numbers = between(before, after, share);
-    let size = share * (F::one() - share) * length * length;
-    let ends = [(from, before, after, F::one() - share), (to, after, before, share)];
-    for (beside, (end, near, far, weight)) in beside.into_iter().zip(ends) {
+    let mut rise = at(&after, N - 1) - at(&before, N - 1);
+    // u (1 − u)² and u² (1 − u), and their derivatives
+    let size = share * rest * length * length;
+    let (falls, rises) = (rest * share.times(-3.0).plus(1.0), share * share.times(-3.0).plus(2.0));
+    let ends = [(from, before, after, rest, falls), (to, after, before, share, rises)];
+    for (beside, (end, near, far, weight, change)) in beside.into_iter().zip(ends) {
         let Some((place, outer)) = beside else { continue };
         let distance = (place - end).abs();
-        let weight = size * weight / ((length + distance) * distance.max(length * least));
+        let below = (length + distance) * distance.max(length * least);
+        let weight = size * weight / below;
         let ratio = distance / length;
+        let bend = |(outer, (near, far)): (F, (F, F))| outer - near - (near - far) * ratio;
         let pairs = outer.into_iter().zip(near.into_iter().zip(far));
-        for (own, (outer, (near, far))) in numbers.iter_mut().zip(pairs) {
-            *own -= weight * (outer - near - (near - far) * ratio);
+        for (own, pair) in numbers.iter_mut().zip(pairs) {
+            *own -= weight * bend(pair);
         }
+        let last = [outer, near, far].map(|own| at(&own, N - 1));
+        rise -= change * length * length / below * bend((last[0], (last[1], last[2])));
     }
-    numbers
+    (numbers, rise / length)
 }

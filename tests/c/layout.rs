@@ -47,7 +47,8 @@ layouts! {
         floor_speed, rail_radius, rail_ahead, rail_speed }
     kstrip_wheel_contact { origin, angle, angle_range, radius, normal_force, share, approach,
         stiffness, along, normal, slip_x, slip_y, spin_rate, rolling_speed, normal_damping,
-        at_rest, patch, own, strip_y, strip_z, strip_angle, turned, left, reserved }
+        at_rest, patch, rail_axis, rail_rate, strip_rail_speed, strip_y, strip_z, strip_angle,
+        strip_lean, turned, left, reserved }
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
     kstrip_wrench { force, moment, dissipation, normal_force, contacts, warning }
     kstrip_wrench_derivatives { velocity, friction }

@@ -29,7 +29,7 @@ pub(crate) struct Stand {
     rail: Box<PreparedProfile<f64>>,
     wheel: Box<PreparedProfile<f64>>,
     pub(crate) pair: WheelPair<f64>,
-    model: Model,
+    pub(crate) model: Model,
     pub(crate) falling: Option<SlipFriction<f64>>,
     pub(crate) memory: Box<Workspace<f64>>,
 }
@@ -614,11 +614,15 @@ fn a_skewed_patch_rolls_backward_as_its_mirror_image_forward() {
     let position = Position { yaw: 0.03, ..stand.at(6e-3, 80e3) };
     stand.solve(&position, &ROLLING);
     let contact = stand.memory.found().last().expect("a contact");
-    // velocities that are slip, spin and rolling speed themselves
+    // strips in one plane, and velocities that are slip, spin and rolling speed themselves
     let [slip_x, slip_y, rolling_speed, spin_rate] =
         [0, 1, 4, 5].map(|k| std::array::from_fn(|i| f64::from(u8::from(i == k))));
     let rows = WheelContact { slip_x, slip_y, rolling_speed, spin_rate, ..*contact };
-    let ahead = WheelContact { normal: [0.0; 6], own: 0.0, ..rows };
+    let strip_y = contact.patch.strips.map(|strip| strip.y);
+    let none = [0.0; kstrip::patch::KSTRIP_PATCH_CAPACITY];
+    let angles = WheelContact { strip_angle: none, strip_lean: none, ..rows };
+    let plane = WheelContact { strip_y, strip_z: none, ..angles };
+    let ahead = WheelContact { origin: [0.0; 3], normal: [0.0; 6], turned: [0.0; 2], ..plane };
     let mut image = ahead;
     image.patch.used_mut().iter_mut().for_each(|strip| strip.centre_x = -strip.centre_x);
     let skew = contact.patch.used().iter().map(|strip| strip.centre_x.abs()).fold(0.0, f64::max);
@@ -827,7 +831,7 @@ fn contacts_of_a_table_are_checked_where_they_count() {
     let pulled = WheelContact { normal_force: -5e4, ..contact };
     assert_eq!(solve(pulled).err(), Some(Error::NormalForce));
     let mut huge = contact;
-    huge.slip_y[3] = 1e200;
+    (huge.normal_damping, huge.normal[3]) = (0.1, 1e200);
     assert_eq!(solve(huge).err(), Some(Error::Overflow));
     stand.pair.friction_points = 1;
     stand.pair.friction_at[0] = 0.3;

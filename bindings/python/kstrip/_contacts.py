@@ -26,7 +26,7 @@ class _Lists:
         at = fields["patch"][1]
         self.begin, self.number_at = workspace["contacts"][1], workspace["count"][1]
         self.size, self.count_at = contact.itemsize, at + patch["count"][1]
-        lists = [(at + patch["strips"][1], patch["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_y", "strip_z", "strip_angle"))]
+        lists = [(at + patch["strips"][1], patch["strips"][0]), *((fields[name][1], fields[name][0]) for name in ("strip_rail_speed", "strip_y", "strip_z", "strip_angle", "strip_lean"))]
         #: of each list where it begins, the distance of two elements, and where it ends
         self.places = [(begin, kind.base.itemsize, begin + kind.itemsize) for begin, kind in lists]
 

@@ -150,7 +150,7 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
     >>> on = kstrip.wheel_on_rail(rail, wheel, pair, position, kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46))
     >>> print(f"{1e-3 * on.wrench.force[1]:.1f} kN, {len(on.contacts)} contact at {np.degrees(on.contacts[0].angle):.1f} degrees")
-    -3.6 kN, 1 contact at -6.8 degrees
+    -3.8 kN, 1 contact at -6.8 degrees
     >>> print(f"creepage {100 * on.creepages[0].longitudinal:.2f} %, T-gamma {on.t_gamma[0]:.0f} N")
     creepage -0.25 %, T-gamma 51 N
     """

@@ -232,7 +232,7 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     >>> still = kstrip.wheelset_settle(wheelset, track, kstrip.wheel_position(lateral=3e-3), velocity, 160e3)
     >>> on = kstrip.wheelset_on_track(wheelset, track, still.position, still.velocity)
     >>> print(f"Y {1e-3 * on.forces.rail[0, 1]:.1f} kN and {1e-3 * on.forces.rail[1, 1]:.1f} kN")
-    Y 1.7 kN and -0.2 kN
+    Y 1.8 kN and -0.2 kN
     >>> print(f"T-gamma of the right wheel {on.right.t_gamma.sum():.0f} N")
     T-gamma of the right wheel 14 N
     """
@@ -298,7 +298,7 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5))
     >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 160e3)
     >>> print(1e-3 * still.forces.rail[:, 0, 2].round(-2))
-    [78.3 78.9 80.  81.1 81.7]
+    [78.3 78.8 80.  81.2 81.7]
     """
     single, structures, kept = _structures(wheelset, track)
     motions = _motions(track)

@@ -717,18 +717,21 @@ class WheelContact(Value):
     spin_rate: spin_rate of kstrip_motion.
     rolling_speed: rolling_speed of kstrip_motion.
     normal_damping: normal_damping of kstrip_wheel_pair.
-    at_rest: kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.
+    at_rest: kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted with load, with the floor of the speed.
     patch: The strips; y along the rail's surface, x forward from the origin.
-    own: Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on rollers.
+    rail_axis: x and z of a roller's axis from the wheel's centre [m]; 0 and 0 for a straight rail.
+    rail_rate: Rate of a roller about its axis [rad/s]: rail_speed over rail_radius; 0 for a straight rail.
+    strip_rail_speed: Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller rail_rate times the radius of its own undeformed surface there.
     strip_y: y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of the track; of a left wheel that of the mirrored right wheel.
     strip_z: z of each strip [m].
-    strip_angle: Angle of each strip [rad], as the angle of the contact.
+    strip_angle: Angle of each strip [rad], as the angle of the contact: the mean of those of both undeformed surfaces.
+    strip_lean: Tangent of half the angle between the undeformed surfaces at each strip: the angle of the wheel's is less than strip_angle by the arc tangent of this, that of the rail's is more.
     turned: Roll and yaw of the wheel [rad]; of a left wheel those of the mirrored right wheel.
     left: Whether the wheel is a left one, as in kstrip_wheel_pair.
     """
 
     _structure: ClassVar[str] = "wheel_contact"
-    _units: ClassVar[dict[str, str]] = {'origin': 'm', 'angle': 'rad', 'angle_range': 'rad', 'radius': 'm', 'normal_force': 'N', 'approach': 'm', 'stiffness': 'N/m', 'along': 'm', 'strip_y': 'm', 'strip_z': 'm', 'strip_angle': 'rad', 'turned': 'rad'}
+    _units: ClassVar[dict[str, str]] = {'origin': 'm', 'angle': 'rad', 'angle_range': 'rad', 'radius': 'm', 'normal_force': 'N', 'approach': 'm', 'stiffness': 'N/m', 'along': 'm', 'rail_axis': 'm', 'rail_rate': 'rad/s', 'strip_rail_speed': 'm/s', 'strip_y': 'm', 'strip_z': 'm', 'strip_angle': 'rad', 'turned': 'rad'}
 
     origin: Array
     angle: float
@@ -747,14 +750,17 @@ class WheelContact(Value):
     normal_damping: float
     at_rest: Motion
     patch: Patch
-    own: float
+    rail_axis: Array
+    rail_rate: float
+    strip_rail_speed: Array
     strip_y: Array
     strip_z: Array
     strip_angle: Array
+    strip_lean: Array
     turned: Array
     left: int
 
-    def __init__(self, origin: Array, angle: float, angle_range: float, radius: float, normal_force: float, share: float, approach: float, stiffness: float, along: float, normal: Array, slip_x: Array, slip_y: Array, spin_rate: Array, rolling_speed: Array, normal_damping: float, at_rest: Motion, patch: Patch, own: float, strip_y: Array, strip_z: Array, strip_angle: Array, turned: Array, left: int) -> None:
+    def __init__(self, origin: Array, angle: float, angle_range: float, radius: float, normal_force: float, share: float, approach: float, stiffness: float, along: float, normal: Array, slip_x: Array, slip_y: Array, spin_rate: Array, rolling_speed: Array, normal_damping: float, at_rest: Motion, patch: Patch, rail_axis: Array, rail_rate: float, strip_rail_speed: Array, strip_y: Array, strip_z: Array, strip_angle: Array, strip_lean: Array, turned: Array, left: int) -> None:
         self.origin = origin
         self.angle = angle
         self.angle_range = angle_range
@@ -772,10 +778,13 @@ class WheelContact(Value):
         self.normal_damping = normal_damping
         self.at_rest = at_rest
         self.patch = patch
-        self.own = own
+        self.rail_axis = rail_axis
+        self.rail_rate = rail_rate
+        self.strip_rail_speed = strip_rail_speed
         self.strip_y = strip_y
         self.strip_z = strip_z
         self.strip_angle = strip_angle
+        self.strip_lean = strip_lean
         self.turned = turned
         self.left = left
 

@@ -97,10 +97,11 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
 
 /// Strips that a contact does not use become zero.
 fn clear_unused(contact: &mut WheelContact<F>) {
-    let WheelContact { patch, strip_y, strip_z, strip_angle, .. } = contact;
+    let WheelContact { patch, strip_rail_speed, strip_y, strip_z, strip_angle, strip_lean, .. } =
+        contact;
     let used = patch.count as usize;
     patch.strips.iter_mut().skip(used).for_each(|strip| *strip = PatchStrip::default());
-    for list in [strip_y, strip_z, strip_angle] {
+    for list in [strip_rail_speed, strip_y, strip_z, strip_angle, strip_lean] {
         list.iter_mut().skip(used).for_each(|place| *place = 0.0);
     }
 }

@@ -17,9 +17,12 @@
 //! On a roller `e_x`, `t` and `n` are turned by the angle `φ` at which `p` is over its axis
 //! (`roller`).
 //!
-//! The patch has the mean of these, weighted with the strips' loads `N` and referred to its origin.
-//! The force of the pressure is `Σ N n`. Where the normal turns by more than 5 degrees, strips have
-//! their own slip besides (`curved`).
+//! The spin has the normal of each body's own undeformed surface, as the slip has its radius: thus
+//! the slip changes across the strips as its spin says. The surface of the rail moves backward with
+//! its speed, on a roller with `V r/R`, where `r` is the radius of the roller's surface under the
+//! strip. Creep forces are computed strip by strip with these (`curved`). The patch has their mean,
+//! weighted with the strips' loads `N` and referred to its origin: for TOTAL, which has no strips.
+//! The force of the pressure is `Σ N n`.
 
 mod groups;
 mod moves;
@@ -27,29 +30,24 @@ mod steps;
 pub(super) mod view;
 
 use self::groups::{Groups, Overlaps};
-use self::view::View;
+use self::view::{Place, View};
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
 use crate::normal::Indentation;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
-use crate::number::{Dual, Float, add, are_finite, at, length};
-use crate::numerics::{ramp, smooth_step};
+use crate::number::{Dual, Float, add, are_finite, at, length, set_at};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::touch::Gap;
 use crate::wheel_rail::touch::line_of_contact::{Axes, Turn, with_moment};
+use crate::wheel_rail::touch::roller::Over;
 use crate::wheel_rail::{
     KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine,
 };
 
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
-/// Turns \[rad\] up to which strips have the mean slip, and from which most is their own.
-const TURN: [f64; 2] = [5.0 * core::f64::consts::PI / 180.0, 10.0 * core::f64::consts::PI / 180.0];
-/// Largest share of a strip's own slip, fitted to twelve contacts of conformal CONTACT that turn by
-/// 20 to 30 degrees: neighbours are coupled, which takes some of the differences of their slip.
-const OWN: f64 = 0.8;
 
 /// One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
 /// rail.
@@ -95,21 +93,30 @@ pub struct WheelContact<F> {
     pub rolling_speed: [F; 6],
     /// normal_damping of kstrip_wheel_pair.
     pub normal_damping: F,
-    /// kstrip_motion of a wheel at rest: that of the rail's surface, with the floor of the speed.
+    /// kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted
+    /// with load, with the floor of the speed.
     pub at_rest: Motion<F>,
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: Patch<F>,
-    /// Share of each strip's own slip, 0 to 1; the rest is that of a plane contact. 0 where the
-    /// normal turns by less than about 5 degrees, 0.8 from about 10 degrees on, and 0 on
-    /// rollers.
-    pub own: F,
+    /// x and z of a roller's axis from the wheel's centre \[m\]; 0 and 0 for a straight rail.
+    pub rail_axis: [F; 2],
+    /// Rate of a roller about its axis \[rad/s\]: rail_speed over rail_radius; 0 for a straight
+    /// rail.
+    pub rail_rate: F,
+    /// Speed of the rail's surface at each strip, backward \[m/s\]: rail_speed; on a roller
+    /// rail_rate times the radius of its own undeformed surface there.
+    pub strip_rail_speed: [F; KSTRIP_PATCH_CAPACITY],
     /// y of each strip on the wheel's undeformed surface, from the wheel's centre \[m\], axes of
     /// the track; of a left wheel that of the mirrored right wheel.
     pub strip_y: [F; KSTRIP_PATCH_CAPACITY],
     /// z of each strip \[m\].
     pub strip_z: [F; KSTRIP_PATCH_CAPACITY],
-    /// Angle of each strip \[rad\], as the angle of the contact.
+    /// Angle of each strip \[rad\], as the angle of the contact: the mean of those of both
+    /// undeformed surfaces.
     pub strip_angle: [F; KSTRIP_PATCH_CAPACITY],
+    /// Tangent of half the angle between the undeformed surfaces at each strip: the angle of the
+    /// wheel's is less than strip_angle by the arc tangent of this, that of the rail's is more.
+    pub strip_lean: [F; KSTRIP_PATCH_CAPACITY],
     /// Roll and yaw of the wheel \[rad\]; of a left wheel those of the mirrored right wheel.
     pub turned: [F; 2],
     /// Whether the wheel is a left one, as in kstrip_wheel_pair.
@@ -146,10 +153,13 @@ impl<F: Float> WheelContact<F> {
                 floor_speed: zero,
             },
             patch: Patch::nothing(),
-            own: zero,
+            rail_axis: [zero; 2],
+            rail_rate: zero,
+            strip_rail_speed: places,
             strip_y: places,
             strip_z: places,
             strip_angle: places,
+            strip_lean: places,
             turned: [zero; 2],
             left: 0,
             reserved: 0,
@@ -159,6 +169,14 @@ impl<F: Float> WheelContact<F> {
     /// `B`: slip and spin rate by the wheel's velocity.
     pub(super) fn rows(&self) -> [[F; 6]; 3] {
         [self.slip_x, self.slip_y, self.spin_rate]
+    }
+
+    /// Where a point of the wheel is over the rail.
+    pub(super) fn over(&self, x: F, z: F) -> Over<F> {
+        match self.rail_axis {
+            [_, down] if down == F::zero() => Over::straight(),
+            axis => Over::of_axis(axis, x, z),
+        }
     }
 
     /// The axes of the wheel.
@@ -219,7 +237,8 @@ impl<F: Float> WheelContact<F> {
         let numbers = [self.radius, self.normal_force, self.approach, self.stiffness, self.along];
         let rows = [self.normal, self.rolling_speed].into_iter().chain(self.rows());
         let Motion { slip_x, spin_rate, .. } = self.at_rest;
-        let are_finite = are_finite(&numbers) && are_finite(&[slip_x, spin_rate]);
+        let of_rail = [slip_x, spin_rate, self.rail_rate];
+        let are_finite = are_finite(&numbers) && are_finite(&of_rail);
         are_finite && rows.flatten().all(F::is_finite_number)
     }
 
@@ -245,14 +264,14 @@ impl<F: Float> WheelContact<F> {
     fn fill(&mut self, view: &View<F>, strips: &Patch<F>, found: &Indentation<F>) {
         let View { pair, position, .. } = view;
         self.patch = *strips;
-        let sums = self.sums_of_strips(view);
+        (self.rail_axis, self.rail_rate) = view.rail_axis_and_rate();
+        let (sums, faster) = self.sums_of_strips(view);
         let [[.., load], _, _] = sums;
         let share = F::one() / (load + F::TINY);
         let [[x, y, z, along, angle, _], tangent, normal] =
             sums.map(|sums| sums.map(|sum| sum * share));
-        self.refer_strips_to([x, along, angle], share);
-        if pair.rail_radius > F::zero() {
-            self.own = F::zero();
+        for strip in self.patch.strips.iter_mut().take(self.patch.count as usize) {
+            (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
         }
         (self.turned, self.left, self.reserved) = ([position.roll, position.yaw], pair.left, 0);
         self.origin = [x, if pair.left != 0 { -y } else { y }, z];
@@ -261,22 +280,26 @@ impl<F: Float> WheelContact<F> {
         (self.normal_force, self.along, self.angle) = (load, along, angle);
         (self.approach, self.stiffness) = (found.approach, found.stiffness);
         self.normal_damping = pair.normal_damping;
-        self.set_motion(view, [x, y, z], [tangent, normal]);
+        self.set_motion(view, [x, y, z], [tangent, normal], pair.rail_speed + faster * share);
     }
 
-    /// Places of the strips on the wheel, and their friction. Returns sums weighted with load: of
-    /// place, length along the rail, angle and 1; of the tangent and of the normal with their
-    /// moments.
-    fn sums_of_strips(&mut self, view: &View<F>) -> [[F; 6]; 3] {
-        let (mut sums, mut lowest, mut highest) = ([[F::zero(); 6]; 3], F::LARGEST, -F::LARGEST);
-        let places = self.strip_y.iter_mut().zip(&mut self.strip_z).zip(&mut self.strip_angle);
-        let strips = self.patch.strips.iter_mut().take(self.patch.count as usize);
-        for (strip, ((own_y, own_z), own_angle)) in strips.zip(places) {
-            let [x, y, z, angle] = view.at(strip.y);
-            (*own_y, *own_z, *own_angle) = (y, z, angle);
+    /// Places of the strips on the wheel, the speed of the rail under them, and their friction.
+    /// Returns sums weighted with load: of place, length along the rail, angle and 1; of the
+    /// tangent and of the normal with their moments; and of the speed of the rail over that of its
+    /// pair.
+    fn sums_of_strips(&mut self, view: &View<F>) -> ([[F; 6]; 3], F) {
+        let (mut sums, mut faster) = ([[F::zero(); 6]; 3], F::zero());
+        let (mut lowest, mut highest) = (F::LARGEST, -F::LARGEST);
+        for k in 0..self.patch.count as usize {
+            let Some(strip) = self.patch.strips.get_mut(k) else { break };
+            let Place { point: [x, y, z], angle, lean, over, rail_speed } = view.place(strip.y);
+            set_at(&mut self.strip_y, k, y);
+            set_at(&mut self.strip_z, k, z);
+            set_at(&mut self.strip_angle, k, angle);
+            set_at(&mut self.strip_lean, k, lean);
+            set_at(&mut self.strip_rail_speed, k, rail_speed);
             (lowest, highest) = (lowest.min(angle), highest.max(angle));
             let (sine, cosine) = sine_cosine(angle);
-            let over = view.over(x, z);
             let terms = [
                 [x, y, z, strip.y, angle, F::one()],
                 with_moment([x, y, z], over.turned(cosine, sine)),
@@ -286,29 +309,18 @@ impl<F: Float> WheelContact<F> {
             for (sums, terms) in sums.iter_mut().zip(terms) {
                 add(sums, terms.map(|term| load * term));
             }
+            faster += load * (rail_speed - view.pair.rail_speed);
             strip.friction = view.pair.friction_at_rail(view.position.lateral + y);
         }
         self.angle_range = highest - lowest;
-        sums
-    }
-
-    /// Refers the strips to the means of x, length along the rail and angle, and sets the share of
-    /// their own slip by the turn of the normal; `share` is one over the load.
-    fn refer_strips_to(&mut self, [x, along, angle]: [F; 3], share: F) {
-        let mut turns = F::zero();
-        let strips = self.patch.strips.iter_mut().take(self.patch.count as usize);
-        for (strip, own) in strips.zip(&self.strip_angle) {
-            turns += strip.load() * (*own - angle).squared();
-            (strip.y, strip.centre_x) = (strip.y - along, strip.centre_x - x);
-        }
-        // with half-ellipses of load on an even curve the turn is 2 √5 times the deviation
-        let turn = (turns * share).sqrt().times(2.0 * 2.236_067_977_499_79);
-        self.own = smooth_step(ramp(turn, TURN)).times(OWN);
+        (sums, faster)
     }
 
     /// Derivatives of slip, spin and rolling speed at a place with respect to the wheel's velocity,
-    /// and the motion of the rail.
-    fn set_motion(&mut self, view: &View<F>, place: [F; 3], [tangent, normal]: [[F; 6]; 2]) {
+    /// and the motion of a rail with this speed.
+    fn set_motion(
+        &mut self, view: &View<F>, place: [F; 3], [tangent, normal]: [[F; 6]; 2], rail_speed: F,
+    ) {
         let (zero, [x, _, z], [a, b, c, ..]) = (F::zero(), place, normal);
         let over = view.over(x, z);
         let forward = with_moment(place, [over.cosine, zero, over.sine]);
@@ -321,19 +333,12 @@ impl<F: Float> WheelContact<F> {
         self.normal = own(normal);
         (self.slip_x, self.slip_y) = (own(forward), own(tangent));
         (self.spin_rate, self.rolling_speed) = (own([zero, zero, zero, a, b, c]), own(rolling));
-        // V ρ/R backward, and the rate V/R about y
-        let WheelPair { rail_speed: speed, rail_radius, floor_speed, .. } = *view.pair;
-        let (slip_x, rate) = if rail_radius > zero {
-            (speed * (over.distance / rail_radius), speed / rail_radius)
-        } else {
-            (speed, zero)
-        };
         self.at_rest = Motion {
-            slip_x,
+            slip_x: rail_speed,
             slip_y: zero,
-            spin_rate: -b * rate,
-            rolling_speed: slip_x.times(0.5),
-            floor_speed,
+            spin_rate: -b * self.rail_rate,
+            rolling_speed: rail_speed.times(0.5),
+            floor_speed: view.pair.floor_speed,
         };
     }
 }

@@ -14,7 +14,7 @@ use crate::status::{Error, Warning};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::touch::roller::{Over, Roller};
 use crate::wheel_rail::touch::{self, Gap};
-use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
+use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair, sine_cosine};
 
 /// Height above the lowest point of points that tell how far apart points are \[m\].
 const LOW: f64 = 1e-4;
@@ -36,6 +36,20 @@ fn counting<F: Float>(step: F, smoothing: F) -> F {
 /// one that counts are needed, because the smoothing length follows from their spacing \[m\].
 pub(crate) fn reach<F: Float>(step: F, smoothing: F) -> F {
     (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::REACH))
+}
+
+/// A place on the undeformed surfaces.
+pub(super) struct Place<F> {
+    /// On the wheel, from its centre \[m\].
+    pub point: [F; 3],
+    /// Mean of the angles of both surfaces \[rad\].
+    pub angle: F,
+    /// Tangent of half the angle from the wheel's to the rail's.
+    pub lean: F,
+    /// Where the point is over the rail.
+    pub over: Over<F>,
+    /// Speed of the rail's surface, backward \[m/s\].
+    pub rail_speed: F,
 }
 
 /// A checked gap, with the position of the wheel or of the mirror image of a left one.
@@ -79,10 +93,10 @@ impl<'a, F: Float> View<'a, F> {
         PointMoves::new(self.lists, rail, &self.position, left != 0, reach)
     }
 
-    /// `x`, `y`, `z` and the angle of the gap at a place, on [`between_parabolas`]: their
-    /// derivatives are continuous too. A point at the end grows its parabola with its distance from
-    /// the next.
-    pub fn at(&self, place: F) -> [F; 4] {
+    /// `x`, `y`, `z`, the angle and the distance of the gap at a place, on [`between_parabolas`]:
+    /// their derivatives are continuous too. A point at the end grows its parabola with its
+    /// distance from the next. Returns also the slope of the distance.
+    fn at(&self, place: F) -> ([F; 5], F) {
         let [along, ..] = self.lists;
         let last = along.len().saturating_sub(1);
         let next = along.partition_point(|along| *along < place).min(last).max(1);
@@ -92,18 +106,47 @@ impl<'a, F: Float> View<'a, F> {
     }
 
     /// Length, and these members, of a point where it has moved.
-    fn point(&self, k: usize) -> (F, [F; 4]) {
+    fn point(&self, k: usize) -> (F, [F; 5]) {
         let mut members = self.lists.map(|list| at(list, k));
         if let Some((moves, direction, step)) = &self.moved {
             add(&mut members, moves.in_direction(k, *direction).map(|slope| *step * slope));
         }
-        let [along, _, x, y, z, angle, _] = members;
-        (along, [x, y, z, angle])
+        let [along, distance, x, y, z, angle, _] = members;
+        (along, [x, y, z, angle, distance])
     }
 
     /// Where a point of the wheel is over the rail.
     pub fn over(&self, x: F, z: F) -> Over<F> {
         Roller::new(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
+    }
+
+    /// The axis of a roller and its rate about it, zeros for a straight rail.
+    pub fn rail_axis_and_rate(&self) -> ([F; 2], F) {
+        let WheelPair { rail_speed, rail_radius, .. } = *self.pair;
+        let roller = Roller::new(self.pair, &self.position);
+        roller.map_or(([F::zero(); 2], F::zero()), |own| (own.axis(), rail_speed / rail_radius))
+    }
+
+    /// A place on the undeformed surfaces. They make the angle `2 β` with each other, whose tangent
+    /// is the slope of their distance `g`, and `β` with their mean tangent. A point of the wheel at
+    /// the radius `ρ` over a roller is `g/cos β` above it along their mean normal, so that the
+    /// surface of the roller moves with
+    ///
+    /// ```text
+    /// V (ρ − g cos a/cos β)/R,   tan β = g'/2
+    /// ```
+    pub fn place(&self, along: F) -> Place<F> {
+        let ([x, y, z, angle, distance], slope) = self.at(along);
+        let (over, lean) = (self.over(x, z), slope.times(0.5));
+        let WheelPair { rail_speed, rail_radius, .. } = *self.pair;
+        let rail_speed = if rail_radius > F::zero() {
+            let (_, cosine) = sine_cosine(angle);
+            let above = distance * cosine * lean.squared().plus(1.0).sqrt();
+            rail_speed * ((over.distance - above) / rail_radius)
+        } else {
+            rail_speed
+        };
+        Place { point: [x, y, z], angle, lean, over, rail_speed }
     }
 
     /// The distance between the wheel's points, or, where it is not given, that between points of

@@ -6,8 +6,8 @@
 //! c_i = ((v + ω×p)·e_x, (v + ω×p)·t, ω·n)/V = B_i u/V,   Q = Σ B_iᵀ F_i
 //! ```
 //!
-//! for the wheel's six velocities `u`, and `Q` is the wrench. Where the surfaces are nearly flat,
-//! `B_i` is a mean of these and of the rows that the strip has in the plane of the contact. The
+//! for the wheel's six velocities `u`, and `Q` is the wrench. A rail that moves adds its speed at
+//! the strip to the first, and the rate of a roller about the strip's normal to the last. The
 //! derivatives of a strip's forces with respect to its own creepages, `J_i`, give
 //! `∂Q/∂u = Σ B_iᵀ J_i B_i/V`. Friction that falls with the slip has one share
 //! `λ = g(P/(λ Σ μ₀ N), V)` for all strips, and forces are homogeneous in creepages, mismatch and
@@ -21,14 +21,14 @@ use super::ends::{Law, Pressed, at_speed};
 use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
-use crate::motion::{Motion, Rolling};
+use crate::motion::Rolling;
 use crate::number::{Float, add, at};
 use crate::patch::friction::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
-use crate::wheel_rail::dot;
 use crate::wheel_rail::touch::line_of_contact::Axes;
+use crate::wheel_rail::{dot, sine_cosine};
 use heapless::Vec;
 
 /// Creep forces of a contact on the rail, conjugate to the six velocities.
@@ -48,11 +48,6 @@ pub(super) struct Creep<F> {
     by_mismatch: [F; 6],
 }
 
-/// Whether the strips of a contact have slip of their own. TOTAL has no strips.
-pub(super) fn has_own_slip<F: Float>(contact: &WheelContact<F>, law: Law<F>) -> bool {
-    contact.own > F::zero() && law.model != Model::Total
-}
-
 /// The creep forces, without `SLOPES` all derivatives of which are zero.
 #[inline(never)]
 pub(super) fn creep<F: Float, const SLOPES: bool>(
@@ -66,17 +61,12 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     let count = contact.patch.count as usize;
     let mut ends = |ratio: F| {
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
-            let rows = |k: usize| {
+            let strip = |k: usize| {
                 let number = if is_turned { count.saturating_sub(k + 1) } else { k };
-                let [x, y, spin] = rows_of_strip(contact, &axes, number);
-                if is_turned { [x.map(|x| -x), y.map(|y| -y), spin] } else { [x, y, spin] }
+                let own = OwnFrame::of_strip(contact, &axes, number);
+                if is_turned { own.turned() } else { own }
             };
-            // slip of a rail that moves
-            let Motion { slip_x, slip_y, spin_rate, .. } = contact.at_rest;
-            let rest = if is_turned { [-slip_x, -slip_y] } else { [slip_x, slip_y] };
-            let [longitudinal, lateral] = rest.map(|slip| slip / rolling.speed);
-            let spin = spin_rate / rolling.speed;
-            end.creep(view, creepage, &Creepage { longitudinal, lateral, spin }, &rows)
+            end.creep(view, creepage, &strip)
         })
     };
     let [ahead, behind] = ends(rolling.speed_by_rolling)?;
@@ -114,26 +104,38 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     Ok(found)
 }
 
-/// `B` of a strip.
-fn rows_of_strip<F: Float>(
-    contact: &WheelContact<F>, axes: &Axes<F>, number: usize,
-) -> [[F; 6]; 3] {
-    let of = |list: &[F]| at(list, number);
-    let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
-    let (x, y) = (strip.centre_x, strip.y);
-    let [ahead, ..] = contact.origin;
-    let place = [ahead + x, of(&contact.strip_y), of(&contact.strip_z)];
-    let mut own = axes.rows(place, of(&contact.strip_angle));
-    let [slip_x, slip_y, spin] = contact.rows();
-    // in the plane of the contact: slip_x − y spin, slip_y + x spin, spin
-    let plane = [(slip_x, -y), (slip_y, x), (spin, F::zero())];
-    for (own, (slip, lever)) in own.iter_mut().zip(plane) {
-        for ((own, slip), spin) in own.iter_mut().zip(slip).zip(spin) {
-            let flat = slip + spin * lever;
-            *own = flat + (*own - flat) * contact.own;
+/// The motion of a strip in its own frame.
+struct OwnFrame<F> {
+    /// `B`: slip and spin rate by the wheel's velocities.
+    rows: [[F; 6]; 3],
+    /// Slip and spin rate of a wheel at rest \[m/s, rad/s\]: those of a rail that moves.
+    at_rest: [F; 3],
+}
+
+impl<F: Float> OwnFrame<F> {
+    fn of_strip(contact: &WheelContact<F>, axes: &Axes<F>, number: usize) -> Self {
+        let of = |list: &[F]| at(list, number);
+        let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
+        let [origin, ..] = contact.origin;
+        let [x, y, z] = [origin + strip.centre_x, of(&contact.strip_y), of(&contact.strip_z)];
+        let (sine, cosine) = sine_cosine(of(&contact.strip_angle));
+        // the normals of the wheel and of the rail
+        let lean = of(&contact.strip_lean);
+        let per_size = F::one() / lean.squared().plus(1.0).sqrt();
+        let wheel = [(sine - cosine * lean) * per_size, (cosine + sine * lean) * per_size];
+        let rail_sine = (sine + cosine * lean) * per_size;
+        Self {
+            rows: axes.rows([x, y, z], [sine, cosine], wheel, &contact.over(x, z)),
+            at_rest: [of(&contact.strip_rail_speed), F::zero(), rail_sine * contact.rail_rate],
         }
     }
-    own
+
+    /// The same of a patch that is turned by 180 degrees.
+    fn turned(self) -> Self {
+        let ([x, y, spin], [slip_x, slip_y, spin_rate]) = (self.rows, self.at_rest);
+        let rows = [x.map(|x| -x), y.map(|y| -y), spin];
+        Self { rows, at_rest: [-slip_x, -slip_y, spin_rate] }
+    }
 }
 
 /// The linear combination of three rows.
@@ -194,21 +196,22 @@ impl<F: Float> StripSums<F> {
 
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     fn creep(
-        &self, view: &PatchView<F>, creepage: &Creepage<F>, rest: &Creepage<F>,
-        rows: &dyn Fn(usize) -> [[F; 6]; 3],
+        &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
     ) -> Result<Creep<F>, Error> {
         let Self { velocity, speed, falling, model } = *self;
         let (zero, one) = (F::zero(), F::one());
         let per_speed = one / speed;
         // what the strips have besides the creepages of the patch where they are
         let mut own = Vec::<_, KSTRIP_PATCH_CAPACITY>::new();
-        for (k, strip) in view.strips().iter().enumerate() {
-            let [x, y, spin] = rows(k).map(|row| dot(&row, velocity) * per_speed);
-            let [rest, patch] = [rest, creepage].map(|of| creepage_at(of, strip.centre_x, strip.y));
+        for (k, place) in view.strips().iter().enumerate() {
+            let OwnFrame { rows, at_rest } = strip(k);
+            let patch = creepage_at(creepage, place.centre_x, place.y);
+            let [x, y, spin] = rows.map(|row| dot(&row, velocity));
+            let [slip_x, slip_y, spin_rate] = at_rest;
             let _ = own.push(Creepage {
-                longitudinal: x + rest.longitudinal - patch.longitudinal,
-                lateral: y + rest.lateral - patch.lateral,
-                spin: spin + rest.spin - patch.spin,
+                longitudinal: (x + slip_x) * per_speed - patch.longitudinal,
+                lateral: (y + slip_y) * per_speed - patch.lateral,
+                spin: (spin + spin_rate) * per_speed - patch.spin,
             });
         }
         let strips = view.strips();
@@ -223,7 +226,7 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let by = SLOPES.then_some(By::Creepages);
         let found =
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
-                let rows = rows(k);
+                let OwnFrame { rows, .. } = strip(k);
                 sums.power += at.power;
                 add_scaled(&mut sums.wrench, combined(&rows, at.forces), one);
                 if SLOPES {
@@ -242,7 +245,7 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
                 let ([slopes_x, slopes_y, slopes_z], [power, ..]) = (at.slopes, at.power_slopes);
                 let first = [slopes_x, slopes_y, slopes_z].map(|[first, ..]| first);
-                add_scaled(&mut creep.by_mismatch, combined(&rows(k), first), one);
+                add_scaled(&mut creep.by_mismatch, combined(&strip(k).rows, first), one);
                 power_by_mismatch += power;
             })?;
         }

@@ -17,7 +17,7 @@ use super::curved::{self, Creep};
 pub use super::ends::Law;
 use super::ends::{Pressed, at_speed};
 use crate::contact::creepage::Creepage;
-use crate::forces::Solution;
+use crate::forces::{Model, Solution};
 use crate::motion::{MotionDerivatives, Rolling};
 use crate::number::{Float, add, are_finite};
 use crate::patch::{self, Patch, PatchView, solver};
@@ -133,7 +133,7 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
     let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
     let mut warning = Warning::None;
     for contact in contacts {
-        let numbers = [contact.share, contact.normal_force, contact.own];
+        let numbers = [contact.share, contact.normal_force];
         Error::NotFinite.unless(are_finite(&contact.normal) && are_finite(&numbers))?;
         Error::Share.when(contact.share < zero)?;
         Error::NormalForce.when(contact.normal_force < zero)?;
@@ -152,7 +152,7 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
         }
         let mut pressed = Pressed { patch: &contact.patch, factor, room: &mut *room };
         // creep forces on the rail, conjugate to the wheel's velocities, and frictional power
-        let (creep, power, told) = if curved::has_own_slip(contact, law) {
+        let (creep, power, told) = if law.model != Model::Total {
             let found = curved::creep::<F, SLOPES>(contact, pressed, &velocity, &rolling, law)?;
             if let Some(sums) = &mut derivatives {
                 sums.add_creep(contact, &found, factor);

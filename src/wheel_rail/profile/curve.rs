@@ -49,7 +49,8 @@ pub(super) trait Points<F: Float> {
             return get(k).map_or([F::zero(); 2], |(_, point)| point);
         };
         let beside = [k.checked_sub(1), Some(k + 2)].map(|k| get(k?));
-        between_parabolas([from, to], beside, F::zero(), length)
+        let (point, _) = between_parabolas([from, to], beside, F::zero(), length);
+        point
     }
 
     /// Places of the curve: length, number of the point before, place.

@@ -17,7 +17,7 @@
 //! R = R₀/(1 + (sin yaw/cos α)² (κ R₀ − 1))
 //! ```
 
-use super::roller::Roller;
+use super::roller::{Over, Roller};
 use crate::number::{Arithmetic, Float, Strips};
 use crate::wheel_rail::profile::CurvePoint;
 use crate::wheel_rail::{Position, WheelPair, cross, sine_cosine};
@@ -92,13 +92,18 @@ impl<F: Float> Axes<F> {
         if self.left { [x, -y, z, -roll, pitch, -yaw] } else { [x, y, z, roll, pitch, yaw] }
     }
 
-    /// `B` of a point of a surface with a tangent of this angle.
-    pub fn rows(&self, place: [F; 3], angle: F) -> [[F; 6]; 3] {
-        let ((sine, cosine), zero) = (sine_cosine(angle), F::zero());
+    /// `B` of a point of the wheel: slip along tangents with the mean angle of both surfaces, spin
+    /// about the wheel's own normal; of both angles the sine and the cosine.
+    pub fn rows(
+        &self, place: [F; 3], [sine, cosine]: [F; 2], [wheel_sine, wheel_cosine]: [F; 2],
+        over: &Over<F>,
+    ) -> [[F; 6]; 3] {
+        let zero = F::zero();
+        let [a, b, c] = over.turned(-wheel_sine, wheel_cosine);
         [
-            with_moment(place, [F::one(), zero, zero]),
-            with_moment(place, [zero, cosine, sine]),
-            [zero, zero, zero, zero, -sine, cosine],
+            with_moment(place, [over.cosine, zero, over.sine]),
+            with_moment(place, over.turned(cosine, sine)),
+            [zero, zero, zero, a, b, c],
         ]
         .map(|row| self.members(row))
     }

@@ -50,10 +50,12 @@ impl<F: Float> Roller<F> {
 
     /// Where a point of the wheel is, by its place from the wheel's centre.
     pub fn over(&self, x: F, z: F) -> Over<F> {
-        let across = x - self.ahead;
-        let down = self.radius + (self.wheel_radius - self.vertical - z);
-        let distance = length(across, down) + F::TINY;
-        Over { sine: across / distance, cosine: down / distance, distance }
+        Over::of_axis(self.axis(), x, z)
+    }
+
+    /// x and z of its axis from the wheel's centre \[m\].
+    pub fn axis(&self) -> [F; 2] {
+        [self.ahead, self.radius + (self.wheel_radius - self.vertical)]
     }
 
     /// The sine of the angle `θ` about the axle at which points of the wheel are nearest to the
@@ -65,8 +67,7 @@ impl<F: Float> Roller<F> {
         mut sin: P,
     ) -> P {
         let zero = P::zero();
-        let [ahead, centre] =
-            [self.ahead, self.radius + (self.wheel_radius - self.vertical)].map(P::all);
+        let [ahead, centre] = self.axis().map(P::all);
         for _ in 0..STEPS {
             let cos = (P::one() - sin.squared()).sqrt();
             let falls = -(sin * cos.inverse());
@@ -101,6 +102,13 @@ impl<F: Float> Roller<F> {
 }
 
 impl<F: Float> Over<F> {
+    /// That of a point over an axis.
+    pub fn of_axis([ahead, down]: [F; 2], x: F, z: F) -> Self {
+        let (across, depth) = (x - ahead, down - z);
+        let distance = length(across, depth) + F::TINY;
+        Self { sine: across / distance, cosine: depth / distance, distance }
+    }
+
     /// That over a straight rail.
     pub fn straight() -> Self {
         Self { sine: F::zero(), cosine: F::one(), distance: F::zero() }
