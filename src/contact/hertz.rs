@@ -73,7 +73,7 @@ pub fn hertz<F: Float>(
 ) -> Result<HertzContact<F>, Error> {
     let modulus = plane_strain_modulus(shear_modulus, poisson_ratio)?;
     Error::NotFinite.unless(normal_force.is_finite_number())?;
-    Form::new(radii)?.under(normal_force.max(F::zero()), modulus)
+    Form::new(radii)?.loaded_by(normal_force.max(F::zero()), modulus)
 }
 
 /// The contact of two bodies under a load \[N\], with Hertz's solution and whether the numbers are
@@ -89,7 +89,7 @@ pub fn from_hertz<F: Float>(
     let modulus = plane_strain_modulus(pair.shear_modulus, pair.poisson_ratio)?;
     Error::NotFinite.unless(load.is_finite_number())?;
     let (form, normal_force) = (Form::new(radii)?, load.max(F::zero()));
-    let hertz = form.under(normal_force, modulus)?;
+    let hertz = form.loaded_by(normal_force, modulus)?;
     let (contact, warning) =
         form.loaded([hertz.a, hertz.b], radii, pair, normal_force, friction)?;
     Ok((contact, hertz, warning))
@@ -192,7 +192,7 @@ impl<F: Float> Form<F> {
     }
 
     /// Hertz's solution for a load that is not negative and `E*`.
-    fn under(&self, normal_force: F, modulus: F) -> Result<HertzContact<F>, Error> {
+    fn loaded_by(&self, normal_force: F, modulus: F) -> Result<HertzContact<F>, Error> {
         let Self { small, large, axis_ratio, integrals, scale, .. } = *self;
         // l³ = (3N/(2π g E*)) √(BD/(AB))
         let major = normal_force.cube_root()

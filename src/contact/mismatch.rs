@@ -29,13 +29,13 @@ use crate::number::{Arithmetic, Float, Number, Real};
 use core::f64::consts::PI;
 
 /// `c'` of full adhesion for `a ≪ b`, and of full slip.
-const ADHESION: f64 = 16.0 / (PI * PI * PI);
-const SLIP: f64 = 9.0 / (4.0 * PI);
+const FULL_ADHESION: f64 = 16.0 / (PI * PI * PI);
+const FULL_SLIP: f64 = 9.0 / (4.0 * PI);
 /// Decrease of the `c'` of full adhesion with the axis ratio, and the axis ratio where half of it
 /// is reached.
 const WIDE: [f64; 2] = [0.057, 0.45];
 /// Linear forces beyond which nothing changes.
-const FARTHEST: f64 = 1e4;
+const LARGEST_LINEAR: f64 = 1e4;
 
 mod fitted {
     //! Fitted by `fit/fit_mismatch.py`, which prints them.
@@ -82,13 +82,13 @@ pub(crate) fn shift<T: Number>(
     let LinearCoefficients { c11, c22, c23, .. } = *linear;
     let adhesion = full_adhesion(units.axis_ratio);
     let forces = [vx.scale(c11), vy.scale(c22), phi.scale(c23), d.scale(c11 * adhesion)];
-    -(share(forces.map(|force| force.within(FARTHEST)), adhesion) * strain)
+    -(share(forces.map(|force| force.within(LARGEST_LINEAR)), adhesion) * strain)
 }
 
 /// The creepage of an ellipse with that of the pressure, which has a factor of one that may be a
 /// variable of derivatives.
 #[inline]
-pub(crate) fn seen<T: Number>(
+pub(crate) fn with_pressure<T: Number>(
     contact: &Contact<T::Base>, linear: &LinearCoefficients<T::Base>, creepage: &Creepage<T>,
     pressure: T,
 ) -> Creepage<T> {
@@ -105,7 +105,7 @@ pub(crate) fn seen<T: Number>(
 #[inline]
 fn full_adhesion<F: Real>(axis_ratio: F) -> F {
     let [height, half] = WIDE;
-    F::of(ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
+    F::of(FULL_ADHESION) - axis_ratio.times(height) / axis_ratio.plus(half)
 }
 
 /// `c'` between adhesion and slip, from the linear forces of longitudinal and lateral creepage, of
@@ -118,7 +118,7 @@ fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
     let [of_pressure, of_creepage, of_spin] = fitted::REAR;
     let along = d.times(of_pressure) - lx.times(of_creepage);
     let rear = along.squared() + ls.times(of_spin).squared();
-    let sum = slip.times(SLIP) + rear.times(fitted::SATURATED) + T::from_base(adhesion);
+    let sum = slip.times(FULL_SLIP) + rear.times(fitted::SATURATED) + T::from_base(adhesion);
     sum / (slip + rear).plus(1.0)
 }
 

@@ -30,7 +30,7 @@ pub use crate::status::*;
 use crate::status::c_string;
 use core::ffi::c_char;
 use core::mem::MaybeUninit;
-use support::fill;
+use support::write_result;
 use types::kstrip_options;
 
 /// Text in English with the meaning of a status and what the caller must change.
@@ -63,5 +63,5 @@ pub extern "C" fn kstrip_abi_version() -> i32 {
 pub extern "C" fn kstrip_options_init(
     options: Option<&mut MaybeUninit<kstrip_options>>,
 ) -> kstrip_status {
-    fill(options, || Ok(kstrip_options { model: KSTRIP_MODEL_DEFAULT, strips: 0 }))
+    write_result(options, || Ok(kstrip_options { model: KSTRIP_MODEL_DEFAULT, strips: 0 }))
 }

@@ -11,7 +11,7 @@ use core::mem::MaybeUninit;
 
 /// Runs a function that may fail, and returns its status.
 #[inline]
-pub(super) fn answer(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip_status {
+pub(super) fn status_of(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip_status {
     match body() {
         Ok(warning) => warning.code(),
         Err(error) => error.code(),
@@ -20,8 +20,10 @@ pub(super) fn answer(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip_st
 
 /// Writes the result of a function to its one output, which is required.
 #[inline]
-pub(super) fn fill<T>(place: Output<T>, find: impl FnOnce() -> Result<T, Error>) -> kstrip_status {
-    answer(|| {
+pub(super) fn write_result<T>(
+    place: Output<T>, find: impl FnOnce() -> Result<T, Error>,
+) -> kstrip_status {
+    status_of(|| {
         given(place)?.write(find()?);
         Ok(Warning::None)
     })
@@ -29,10 +31,10 @@ pub(super) fn fill<T>(place: Output<T>, find: impl FnOnce() -> Result<T, Error>)
 
 /// The same of a result with a warning, which is the status.
 #[inline]
-pub(super) fn fill_warned<T>(
+pub(super) fn write_warned<T>(
     place: Output<T>, find: impl FnOnce() -> Result<(T, Warning), Error>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let place = given(place)?;
         let (found, warning) = find()?;
         place.write(found);
@@ -42,10 +44,10 @@ pub(super) fn fill_warned<T>(
 
 /// The same for a solution, whose warning is the status.
 #[inline]
-pub(super) fn solved<F: Float>(
+pub(super) fn write_solution<F: Float>(
     place: Output<Solution<F>>, solve: impl FnOnce() -> Result<Solution<F>, Error>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let place = given(place)?;
         // By reference: avoids a copy of 200 bytes on the stack.
         let found = solve();

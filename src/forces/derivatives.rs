@@ -192,7 +192,7 @@ fn differentiated<F: Float, M: Theory<F>>(
     frame: &ScaledContact<F>, creepage: &Creepage<F>, options: &Options, ordinary: bool,
 ) -> (Solution<F>, Slopes<F>) {
     let theory = M::of_contact(frame, options);
-    let (seen, shift) = frame.seen(creepage, M::MODEL);
+    let (seen, shift) = frame.creepage_with_pressure(creepage, M::MODEL);
     let bound = frame.contact.friction_bound();
     let (forces, psi, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
         let (forces, psi) = theory.forces(frame, &seen);

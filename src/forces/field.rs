@@ -111,7 +111,7 @@ impl<F: Float> FieldStrip<F> {
             state: State::Slip,
         };
         if traction.slips {
-            point.judged()
+            point.classified()
         } else {
             StripPoint { slip_x: F::zero(), slip_y: F::zero(), state: State::Stick, ..point }
         }
@@ -130,7 +130,8 @@ impl<F: Float> Field<F> {
         check(contact, creepage, options)?;
         let frame = ScaledContact::new(contact);
         let lost = contact.is_lost();
-        let creepage = &if lost { *creepage } else { frame.seen(creepage, options.model).0 };
+        let creepage =
+            &if lost { *creepage } else { frame.creepage_with_pressure(creepage, options.model).0 };
         let parameters = frame.units.parameters(creepage);
         // The dissipation of a point is traction times slip. Slip is of the size of the rigid slip,
         // which the checked parameters bound.

@@ -35,7 +35,7 @@ pub struct Prepared<F: Copy> {
 /// Capacity in numbers.
 const ROOM: usize = 96;
 /// Where the [`mark`] stands.
-const MARK: usize = 0;
+const MARK_AT: usize = 0;
 /// Where `w` stands: no check of [`find_fault`] can fail where `|υx| + |υy| + w |φ| ≤ 10`. It is
 /// infinite for a lost contact and for unlike materials, where pressure changes the creepage.
 const PER_SPIN: usize = 1;
@@ -93,7 +93,7 @@ impl<F: Float> Prepared<F> {
         let quick = !contact.is_lost() && contact.mismatch == F::zero();
         let spin = if quick { contact.ordinary_spin() } else { F::zero() };
         let frame = &ScaledContact::new(contact);
-        stored.put::<_, MARK>(mark::<F>(model));
+        stored.put::<_, MARK_AT>(mark::<F>(model));
         stored.put::<_, PER_SPIN>(F::constant(LARGEST_CREEPAGE) / spin);
         stored.put::<_, FRAME>(*frame);
         match model {
@@ -122,7 +122,7 @@ impl<F: Float> Prepared<F> {
         let per_spin: &F = self.part::<_, PER_SPIN>();
         let quick = creepage.fastest_within(*per_spin) <= F::constant(LARGEST_CREEPAGE);
         let frame: &ScaledContact<F> = self.part::<_, FRAME>();
-        let found = *self.part::<F, MARK>();
+        let found = *self.part::<F, MARK_AT>();
         if Model::HAS_LINEAR && quick && self.model == Model::Linear as i32 {
             Error::NotPrepared.unless(found == mark(Model::Linear))?;
             let linear: &Linear<F> = self.part::<_, KNOWN>();
@@ -142,7 +142,7 @@ impl<F: Float> Prepared<F> {
     ) -> Result<(), Error> {
         let model = Model::from_number(self.model).ok_or(Error::NotPrepared)?;
         let strips = StripCount::from_number(self.strips).ok_or(Error::NotPrepared)?;
-        Error::NotPrepared.unless(*self.part::<F, MARK>() == mark(model))?;
+        Error::NotPrepared.unless(*self.part::<F, MARK_AT>() == mark(model))?;
         let frame: &ScaledContact<F> = self.part::<_, FRAME>();
         let ordinary = quick || frame.contact.is_ordinary(creepage);
         if !ordinary {
@@ -153,18 +153,18 @@ impl<F: Float> Prepared<F> {
         }
         *solution = match model {
             Model::Linear if Model::HAS_LINEAR => {
-                frame.answer(self.part::<Linear<F>, KNOWN>(), creepage, ordinary)
+                frame.solve_checked(self.part::<Linear<F>, KNOWN>(), creepage, ordinary)
             }
             Model::Total if Model::HAS_TOTAL => {
-                frame.answer(self.part::<Total<F>, KNOWN>(), creepage, ordinary)
+                frame.solve_checked(self.part::<Total<F>, KNOWN>(), creepage, ordinary)
             }
             Model::Strip if Model::HAS_STRIP => {
                 let contact = *self.part::<Flexibilities<F>, KNOWN>();
                 let theory = EllipseStrips::from_prepared(contact, strips);
-                frame.answer(&theory, creepage, ordinary)
+                frame.solve_checked(&theory, creepage, ordinary)
             }
             Model::Strip1967 | Model::Strip1967Continuous if Model::HAS_STRIP_1967 => {
-                frame.answer(&Strip1967(sliding_rule(model)), creepage, ordinary)
+                frame.solve_checked(&Strip1967(sliding_rule(model)), creepage, ordinary)
             }
             _ => return Err(Error::NotPrepared),
         };

@@ -65,7 +65,7 @@ pub fn strips<F: Float>(
         return Ok(Warning::None);
     }
     let frame = ScaledContact::new(contact);
-    let (creepage, _) = &frame.seen(creepage, options.model);
+    let (creepage, _) = &frame.creepage_with_pressure(creepage, options.model);
     let parameters = frame.units.parameters(creepage);
     let bound = contact.friction_bound();
     let mut share = |strip: PlacedStrip<F>| {

@@ -89,7 +89,7 @@ pub(crate) fn solution_of<F: Float, M: Theory<F>>(
         return Ok(Solution::default());
     }
     let frame = &ScaledContact::new(contact);
-    Ok(frame.answer(&M::of_contact(frame, options), creepage, ordinary))
+    Ok(frame.solve_checked(&M::of_contact(frame, options), creepage, ordinary))
 }
 
 /// A contact in the units of the theory: numbers only.
@@ -129,7 +129,7 @@ impl<F: Float> ScaledContact<F> {
     /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
     /// like bodies and in the theory of 1967.
     #[inline(always)]
-    pub(crate) fn seen(
+    pub(crate) fn creepage_with_pressure(
         &self, creepage: &Creepage<F>, model: Model,
     ) -> (Creepage<F>, Option<Shift<F>>) {
         if self.contact.mismatch == F::zero() || model.is_of_1967() {
@@ -147,15 +147,15 @@ impl<F: Float> ScaledContact<F> {
 
     /// The solution for a loaded contact and a creepage that have been checked.
     #[inline(always)]
-    pub(crate) fn answer<M: Theory<F>>(
+    pub(crate) fn solve_checked<M: Theory<F>>(
         &self, theory: &M, creepage: &Creepage<F>, ordinary: bool,
     ) -> Solution<F> {
-        let (seen, _) = &self.seen(creepage, M::MODEL);
-        let (forces, psi) = match Forces::at_rest(seen, M::MODEL) {
+        let (creepage, _) = &self.creepage_with_pressure(creepage, M::MODEL);
+        let (forces, psi) = match Forces::at_rest(creepage, M::MODEL) {
             Some(none) => (none, F::zero()),
-            None => theory.forces(self, seen),
+            None => theory.forces(self, creepage),
         };
-        self.solution(M::MODEL, seen, &forces, psi, ordinary)
+        self.solution(M::MODEL, creepage, &forces, psi, ordinary)
     }
 
     /// Forces with power and warning.
@@ -171,8 +171,8 @@ impl<F: Float> ScaledContact<F> {
         let warning = if ordinary {
             of_model
         } else {
-            let (contact, seen) = (self.contact, *creepage);
-            warned(&contact, &seen, of_model)
+            let (contact, creepage) = (self.contact, *creepage);
+            warned(&contact, &creepage, of_model)
         };
         let Forces { fx, fy, mz, adhesion } = *forces;
         let power = creepage.power([fx, fy, mz]);

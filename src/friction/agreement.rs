@@ -17,16 +17,16 @@ const CAUTION: f64 = 0.25;
 const LESS: f64 = 0.7;
 /// Bound of `g'` below which there is one solution. (It holds for strips; what TOTAL loses of its
 /// slip may fall a little faster.)
-const STEEP: f64 = 0.75;
+const ONE_SOLUTION_SLOPE: f64 = 0.75;
 
 /// Where `g` rises by more than this at a solution that a plain step has passed, others are looked
 /// for: at so many places before it, and by so many parabolas where `g(μ) − μ` is small between
 /// two of them. Its slope is taken over this part of the way.
 const RISES: f64 = 0.4;
-const PLACES: usize = 24;
+const RISE_PLACES: usize = 24;
 const PARABOLAS: usize = 3;
 const ASIDE: f64 = 1e-2;
-const STEP: f64 = (1.0 - ASIDE) / PLACES as f64;
+const RISE_STEP: f64 = (1.0 - ASIDE) / RISE_PLACES as f64;
 
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
@@ -56,9 +56,9 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         // g' ≤ B V s_max (g − A μ₀)/μ
         let steepness =
             (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
-        if steepness < F::of(STEEP) {
+        if steepness < F::of(ONE_SOLUTION_SLOPE) {
             let between = Bracket { positive: least, negative: largest };
-            let (friction, settled) = self.between(between, high - largest, high)?;
+            let (friction, settled) = self.solve_between(between, high - largest, high)?;
             return Ok((friction, if settled { Warning::None } else { Warning::NotConverged }));
         }
         let (upper, settled) = self.walk(largest, [least, largest])?;
@@ -72,7 +72,9 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
     /// first guess, by the secant method. The second result is whether the method reached
     /// rounding. It does not where the forces jump (strips of 1967 that do not move with the
     /// solution).
-    fn between(&self, mut bracket: Bracket<F>, end_error: F, first: F) -> Result<(F, bool), Error> {
+    fn solve_between(
+        &self, mut bracket: Bracket<F>, end_error: F, first: F,
+    ) -> Result<(F, bool), Error> {
         let (mut before, mut error_before, mut friction) = (bracket.negative, end_error, first);
         let (mut best, mut least_error) = (before, end_error.abs());
         for step in 0..SECANT_STEPS {
@@ -135,7 +137,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
     fn solution_between(&self, from: [F; 2], to: [F; 2]) -> Result<(F, bool), Error> {
         let [low, high] = if to[0] > from[0] { [from, to] } else { [to, from] };
         let between = Bracket { positive: low[0], negative: high[0] };
-        self.between(between, high[1], between.ratio_middle())
+        self.solve_between(between, high[1], between.ratio_middle())
     }
 
     /// The solution nearest to a place, with its `g(μ) − μ`, of which a plain step has passed one.
@@ -153,8 +155,8 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         }
         let is_before = |[_, error]: [F; 2]| error * from[1] <= F::zero();
         let [mut before, mut last] = [from; 2];
-        for place in 1..=PLACES {
-            let here = if place < PLACES { at(last[0] + way.times(STEP))? } else { end };
+        for place in 1..=RISE_PLACES {
+            let here = if place < RISE_PLACES { at(last[0] + way.times(RISE_STEP))? } else { end };
             if is_before(here) {
                 return self.solution_between(last, here);
             }

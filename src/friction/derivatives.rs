@@ -249,7 +249,7 @@ impl<F: Float> InMotion<'_, F> {
     pub fn check_differentiable(&self, contact: &Contact<F>) -> Result<(), Error> {
         self.check(contact)?;
         let (friction, steepness) = match self.law {
-            Some(law) => law.least(contact, self.creepage),
+            Some(law) => law.least_friction(contact, self.creepage),
             None => (contact.friction, F::zero()),
         };
         // Slopes are those of linear theory, over the bound at most so many, and grow tenfold

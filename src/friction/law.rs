@@ -131,7 +131,7 @@ impl<F: Float> SlipFriction<F> {
 
     /// The least friction that the law can give a contact in motion, and an upper bound of `g'`
     /// there: `g' ≤ B V s_max (1 − A) μ₀/μ`.
-    pub(crate) fn least(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
+    pub(crate) fn least_friction(&self, contact: &Contact<F>, creepage: &Creepage<F>) -> (F, F) {
         if !self.falls() {
             return (self.friction, F::zero());
         }

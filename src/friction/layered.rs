@@ -228,7 +228,7 @@ fn solve_in<F: Float, M: Theory<F>>(
     }
     let frame = &ScaledContact::new(contact);
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
-    Ok(frame.answer(&layered, through.creepage, ordinary))
+    Ok(frame.solve_checked(&layered, through.creepage, ordinary))
 }
 
 fn differentiate_in<F: Float, M: Theory<F>>(
@@ -236,7 +236,7 @@ fn differentiate_in<F: Float, M: Theory<F>>(
 ) -> WithSlopes<F> {
     let contact = &frame.contact;
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
-    let (seen, shift) = frame.seen(through.creepage, M::MODEL);
+    let (seen, shift) = frame.creepage_with_pressure(through.creepage, M::MODEL);
     let none = F::zero();
     let slides = layered.model.stiffness().is_none() && contact.friction_bound() <= none;
     let (forces, psi, mut derivatives, by_interface) = if slides {
@@ -392,7 +392,7 @@ impl<F: Float> ThroughLayer<'_, F> {
     /// What lies between the bodies of a contact that carries.
     pub fn behind(&self, contact: &Contact<F>) -> Behind<F> {
         let frame = &ScaledContact::new(contact);
-        let (whole, _) = frame.seen(self.creepage, self.options.model);
+        let (whole, _) = frame.creepage_with_pressure(self.creepage, self.options.model);
         let parameters = frame.units.parameters(&whole);
         let (ratio, _, linear) = frame.shape();
         let layer = Layer::new(ratio, &linear);

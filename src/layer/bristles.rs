@@ -32,10 +32,10 @@
 use crate::number::{Arithmetic, Float, length};
 
 /// Steps along a strip.
-const STEPS: usize = 5;
+const STRIP_STEPS: usize = 5;
 /// `x = cos α`, `u = 1 − x` and `g = sin α` at the ends of the steps, `α = j π/5`.
-const X: [f64; STEPS + 1] = [1.0, COS_36, COS_72, -COS_72, -COS_36, -1.0];
-const BOUND: [f64; STEPS + 1] = [0.0, SIN_36, SIN_72, SIN_72, SIN_36, 0.0];
+const X: [f64; STRIP_STEPS + 1] = [1.0, COS_36, COS_72, -COS_72, -COS_36, -1.0];
+const BOUND: [f64; STRIP_STEPS + 1] = [0.0, SIN_36, SIN_72, SIN_72, SIN_36, 0.0];
 const COS_36: f64 = 0.809_016_994_374_947_5;
 const COS_72: f64 = 0.309_016_994_374_947_45;
 const SIN_36: f64 = 0.587_785_252_292_473_1;
@@ -45,18 +45,18 @@ const ARCSIN: f64 = 0.047_764_448_950_518_4;
 /// How much before the bound, as `D`, the formulas of sliding begin.
 const EARLY: f64 = 0.02;
 /// Least bound, near the trailing edge.
-const LEAST: f64 = 1e-6;
+const LEAST_TRACTION_BOUND: f64 = 1e-6;
 /// Added to numbers that are divided by, and the square of the least bound on the way.
-const SMALL: f64 = 1e-20;
+const DIVISOR_FLOOR: f64 = 1e-20;
 
 /// A step, in numbers without derivatives: `u` and `x` where it begins, `x` of its end, its length,
 /// and of its end `1/u`, `2 − u`, `g`, `g` again that is not zero, and its reciprocal.
-pub(crate) const ROWS: [[f64; 9]; STEPS] = {
-    let mut rows = [[0.0; 9]; STEPS];
+pub(crate) const STEP_ROWS: [[f64; 9]; STRIP_STEPS] = {
+    let mut rows = [[0.0; 9]; STRIP_STEPS];
     let mut j = 0;
-    while j < STEPS {
+    while j < STRIP_STEPS {
         let (x, end, bound) = (X[j], X[j + 1], BOUND[j + 1]);
-        let least = if bound > LEAST { bound } else { LEAST };
+        let least = if bound > LEAST_TRACTION_BOUND { bound } else { LEAST_TRACTION_BOUND };
         let (u, end_u) = (1.0 - x, 1.0 - end);
         rows[j] = [u, x, end, x - end, 1.0 / end_u, 1.0 + end, bound, least, 1.0 / least];
         j += 1;
@@ -106,7 +106,7 @@ struct SlidingPoint<B> {
 }
 
 impl<T: Arithmetic> Rates<T> {
-    /// Forces of the strip, from the [`ROWS`].
+    /// Forces of the strip, from the [`STEP_ROWS`].
     #[inline(always)]
     pub fn forces_of_strip(&self, rows: impl Iterator<Item = [T::Value; 9]>) -> Bristles<T> {
         let zero = T::zero();
@@ -115,7 +115,7 @@ impl<T: Arithmetic> Rates<T> {
         // D at the beginning of the step, zero where it slides
         let mut inside = T::constant(-2.0);
         for row in rows {
-            (t, inside) = self.step(row, t, inside, &mut carried);
+            (t, inside) = self.advance(row, t, inside, &mut carried);
         }
         // ∫ g du = π/2
         let unit = 2.0 / core::f64::consts::PI;
@@ -126,7 +126,7 @@ impl<T: Arithmetic> Rates<T> {
 
     /// The traction and `D` at the end of a step.
     #[inline(always)]
-    fn step(
+    fn advance(
         &self, [u, x, end, l, per_u, over, bound, least, per_least]: [T::Value; 9], t: [T; 2],
         inside: T, carried: &mut Bristles<T>,
     ) -> ([T; 2], T) {
@@ -165,12 +165,12 @@ impl<T: Arithmetic> Rates<T> {
             -(rate * (onset.x * cosine + onset.bound * sine)) * (half2 * slope.plus(0.5)).plus(1.0);
         let m = {
             let a = self.stuck(t, x, middle.x, middle.moves, way);
-            self.moved(p, a, &onset, &middle, way)
+            self.sliding_traction(p, a, &onset, &middle, way)
         };
         let [mx, my] = m.map(T::value);
         let at_end =
             SlidingPoint { x: end, bound: least, per_bound: per_least, widens: zero, moves: zero };
-        let next = self.moved(p, a, &onset, &at_end, way);
+        let next = self.sliding_traction(p, a, &onset, &at_end, way);
         let [nx, ny] = next.map(T::value);
         // ∫ t du over the way in adhesion, exactly
         let w2 = w.squared().times(0.5);
@@ -236,7 +236,7 @@ impl<T: Arithmetic> Rates<T> {
 
     /// The traction at a place, from `p` where sliding begins, and that in adhesion there.
     #[inline(always)]
-    fn moved(
+    fn sliding_traction(
         &self, p: [T; 2], a: [T; 2], onset: &SlidingPoint<T::Value>, end: &SlidingPoint<T::Value>,
         way: T,
     ) -> [T; 2] {
@@ -247,7 +247,7 @@ impl<T: Arithmetic> Rates<T> {
         let size = (ax.squared() + ay.squared()).sqrt();
         let ratio = size * end.per_bound;
         let slips = ratio - one;
-        let per = slips.choose(end.per_bound / (size.plus(SMALL)), zero);
+        let per = slips.choose(end.per_bound / (size.plus(DIVISOR_FLOOR)), zero);
         let rho = T::composed(
             ratio.max(one),
             [ax * per, ay * per, slips.choose(-(ratio * end.widens), zero)],
@@ -285,10 +285,10 @@ impl<T: Arithmetic> Rates<T> {
         // on the bound, or inside of it
         let [ex, ey] = e.map(T::value);
         let e2 = ex.squared() + ey.squared();
-        let kept = end.bound / (e2.sqrt().plus(SMALL));
+        let kept = end.bound / (e2.sqrt().plus(DIVISOR_FLOOR));
         let slides = one - kept;
         let kept = kept.min(one);
-        let per = slides.choose(kept / e2.plus(SMALL), zero);
+        let per = slides.choose(kept / e2.plus(DIVISOR_FLOOR), zero);
         let widens = slides.choose(end.widens, zero);
         let (x, y) = (ex * kept, ey * kept);
         let mixed = -(ex * ey * per);
@@ -305,18 +305,18 @@ impl<F: Float> Rates<F> {
         length(self.x, self.y + self.spin * x)
     }
 
-    /// The traction at `x`, from the [`ROWS`], and whether the bristle sticks there.
+    /// The traction at `x`, from the [`STEP_ROWS`], and whether the bristle sticks there.
     pub fn traction(&self, rows: impl Iterator<Item = [F; 9]>, x: F) -> ([F; 2], bool) {
         let (zero, one) = (F::zero(), F::one());
         let mut carried = Bristles { fx: zero, fy: zero, mx: zero, stick: zero };
         let (mut t, mut inside) = ([zero; 2], F::of(-2.0));
         for [u, from, end, ..] in rows {
             let end = end.max(x);
-            let (way, over) = ((one - end).max(F::of(SMALL)), one + end);
+            let (way, over) = ((one - end).max(F::of(DIVISOR_FLOOR)), one + end);
             let bound = (way * over).max(zero).sqrt();
-            let least = bound.max(F::of(LEAST));
+            let least = bound.max(F::of(LEAST_TRACTION_BOUND));
             let row = [u, from, end, from - end, one / way, over, bound, least, one / least];
-            (t, inside) = self.step(row, t, inside, &mut carried);
+            (t, inside) = self.advance(row, t, inside, &mut carried);
             if end <= x {
                 break;
             }
@@ -328,7 +328,7 @@ impl<F: Float> Rates<F> {
 impl<B: Arithmetic<Value = B>> SlidingPoint<B> {
     #[inline]
     fn new(x: B, bound: B, grows: B, moves: B) -> Self {
-        let bound = bound.max(B::constant(LEAST));
+        let bound = bound.max(B::constant(LEAST_TRACTION_BOUND));
         let per_bound = B::constant(1.0) / bound;
         Self { x, bound, per_bound, widens: grows * per_bound, moves }
     }
@@ -336,7 +336,7 @@ impl<B: Arithmetic<Value = B>> SlidingPoint<B> {
     /// Where sliding begins, a way `w` behind a fixed place: `g = √(u (2 − u))`.
     #[inline]
     fn onset(u: B, x: B) -> Self {
-        let square = (u * (B::constant(2.0) - u)).max(B::constant(SMALL));
+        let square = (u * (B::constant(2.0) - u)).max(B::constant(DIVISOR_FLOOR));
         let bound = square.sqrt();
         let per_bound = B::constant(1.0) / bound;
         Self { x, bound, per_bound, widens: x * per_bound.squared(), moves: B::constant(-1.0) }

@@ -32,7 +32,7 @@
 
 pub(crate) mod bristles;
 
-use self::bristles::{BristleState, Bristles, ROWS, Rates};
+use self::bristles::{BristleState, Bristles, Rates, STEP_ROWS};
 use crate::contact::creepage::Creepage;
 use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
@@ -56,7 +56,7 @@ fn largest_rate<T: Number>() -> f64 {
 }
 
 /// `Y`, `C = √(1 − Y²)` and share of the load of twelve strips of one width, four at a time.
-const STRIPS: [[f64; 12]; 3] = {
+const TWELVE_STRIPS: [[f64; 12]; 3] = {
     const C: [f64; 6] = [
         0.996_521_728_591_783_2,
         0.968_245_836_551_854_2,
@@ -211,7 +211,7 @@ impl<F: Real> Layer<F> {
         let sums = if T::HAS_DERIVATIVES {
             self.slopes(values).map(|sum| T::composed(sum.value, sum.gradient, inputs))
         } else {
-            self.values(values).map(T::from_base)
+            self.forces_of_rates(values).map(T::from_base)
         };
         let [fx, fy, mz, stick] = sums;
         // (the quadrature may give a little more than the bound)
@@ -235,7 +235,7 @@ impl<F: Real> Layer<F> {
     }
 
     #[inline]
-    fn values(&self, rates: [F; 3]) -> [F; 4] {
+    fn forces_of_rates(&self, rates: [F; 3]) -> [F; 4] {
         with_avx!(if F::LANES => <F: Real>(layer: &Layer<F> = self, rates: [F; 3]) -> [F; 4] {
             if cfg!(target_os = "none") {
                 layer.values_of::<Lanes<F, 1>>(rates)
@@ -309,7 +309,7 @@ impl<F: Real> Layer<F> {
         let (one, zero) = (P::constant(1.0), P::zero());
         let (root, upright) = (P::all(self.root), P::all(F::one() / self.root));
         let mut sums = [T::zero(); 4];
-        for four in table!(F, STRIPS) {
+        for four in table!(F, TWELVE_STRIPS) {
             let field = |from: usize| P::of_list(four.get(from + lane..).unwrap_or_default());
             let [place, c, load] = [field(0), field(4), field(8)];
             // (υx − φ y, υy + φ x): over the bound of the strip per half length, x in half lengths
@@ -319,8 +319,9 @@ impl<F: Real> Layer<F> {
                 y: T::composed(y, [zero, one, zero], by),
                 spin: T::composed(spin * c, [zero, zero, c], by),
             };
-            let rows =
-                table!(F, ROWS).iter().map(|row| row.each_ref().map(|x| P::all(F::stored(*x))));
+            let rows = table!(F, STEP_ROWS)
+                .iter()
+                .map(|row| row.each_ref().map(|x| P::all(F::stored(*x))));
             let Bristles { fx, fy, mx, stick } = strip.forces_of_strip(rows);
             // Mz = ∫ (x Y − y X)
             let mz = mx.scale(load * c * root) - fx.scale(load * place * upright);
@@ -340,8 +341,9 @@ impl<T: Number> Rates<T> {
 
     /// Forces of one strip, for rates of any size.
     pub fn of_strip(&self) -> Bristles<T> {
-        let rows =
-            table!(T::Base, ROWS).iter().map(|row| row.each_ref().map(|x| T::Base::stored(*x)));
+        let rows = table!(T::Base, STEP_ROWS)
+            .iter()
+            .map(|row| row.each_ref().map(|x| T::Base::stored(*x)));
         let Bristles { fx, fy, mx, stick } = self.within_limit().forces_of_strip(rows);
         let kept = (fx.squared() + fy.squared()).max(T::one()).sqrt().inverse();
         Bristles { fx: fx * kept, fy: fy * kept, mx: mx * kept, stick }
@@ -352,7 +354,7 @@ impl<F: Float> Rates<F> {
     /// The state of the bristle at `x`.
     pub fn at(&self, x: F) -> BristleState<F> {
         let place = x.clamped(-F::one(), F::one());
-        let rows = table!(F, ROWS).iter().map(|row| row.each_ref().map(|x| F::stored(*x)));
+        let rows = table!(F, STEP_ROWS).iter().map(|row| row.each_ref().map(|x| F::stored(*x)));
         let (traction, sticks) = self.within_limit().traction(rows, place);
         let [tx, ty] = traction;
         let size = (tx * tx + ty * ty).sqrt();

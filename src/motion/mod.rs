@@ -42,7 +42,7 @@ use crate::number::{Float, add, are_finite};
 use crate::status::{Error, Warning};
 
 /// Floor of the rolling speed where none is given \[m/s\].
-const FLOOR: f64 = 0.02;
+const SPEED_FLOOR: f64 = 0.02;
 /// Rolling speed, divided by the floor, beyond which only one end of the contact leads.
 const BLENDED: f64 = 3.0;
 /// Share of the mismatch that is used at standstill to compute the derivative with respect to it:
@@ -189,7 +189,7 @@ impl<F: Float> Rolling<F> {
         let inputs = [slip_x, slip_y, spin_rate, rolling_speed, floor_speed];
         Error::NotFinite.unless(are_finite(&inputs))?;
         Error::FloorSpeed.unless(floor_speed >= F::zero())?;
-        let floor = if floor_speed > F::zero() { floor_speed } else { F::constant(FLOOR) };
+        let floor = if floor_speed > F::zero() { floor_speed } else { F::constant(SPEED_FLOOR) };
         // V_f = √(V² + floor²), whose squares may overflow or vanish
         let (larger, smaller) = (floor.max(rolling_speed.abs()), floor.min(rolling_speed.abs()));
         let speed = larger * (smaller / larger).squared().plus(1.0).sqrt();

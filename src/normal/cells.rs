@@ -30,18 +30,17 @@
 //! `u_i + κ (p_i − p_k) = δ − h_i` (`layout`).
 
 pub use crate::normal::cell::CELLS;
-pub(crate) use crate::normal::cell::{Cell, Cells};
+pub(crate) use crate::normal::cell::Cells;
+use crate::normal::cell_edges::{Across, CellEdges, stored};
 use crate::normal::equations::Equations;
-use crate::normal::influence::{Curvature, Deflection, StripEdge};
-use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Dual, Float, Number, Strips, add, set_at};
+use crate::normal::influence::{Curvature, Deflection};
+use crate::number::{Arithmetic, Dual, Float, Number, add, set_at};
 use core::f64::consts::FRAC_PI_2;
-use core::marker::PhantomData;
 use heapless::Vec;
 
 /// Rounds that change all cells that should be; usually one or two. Later ones change the first.
-const TOGETHER: usize = 12;
-const ROUNDS: usize = TOGETHER + 2 * CELLS;
+const ROUNDS_FOR_ALL: usize = 12;
+const SHARE_ROUNDS: usize = ROUNDS_FOR_ALL + 2 * CELLS;
 
 /// What is given of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -62,7 +61,7 @@ impl<F> Given<F> {
 impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
     /// of each, and whether it may touch, and `centre_x` the centre.
-    pub(super) fn fill(
+    pub(super) fn set_gaps(
         &mut self, of: impl Fn([Dual<F, N>; 2]) -> ([Dual<F, N>; 3], F),
         centre_x: impl Fn(Dual<F, N>) -> Dual<F, N>,
     ) {
@@ -86,7 +85,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         equations.make_room(self.list.len());
         let mut across = Across::<F, STORED>::new();
         for (j, cell) in self.list.iter().enumerate() {
-            across.fill::<Deflection, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Deflection, N>(&CellEdges::new(cell), self.list);
             let half_length = stored(cell.half_length);
             let entries = across.differences().map(|difference| difference * half_length);
             equations.set_column(j, entries);
@@ -107,7 +106,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
             }
         }
         let mut approach = Dual::zero();
-        for round in 0..ROUNDS {
+        for round in 0..SHARE_ROUNDS {
             let mut touching: Vec<usize, CELLS> = Vec::new();
             let mut sides = [[F::zero(); CELLS]; 2];
             let [one, distance] = &mut sides;
@@ -150,14 +149,14 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
                 // many at once at first, then the first of them in each round
                 // (an error of a share has its square as an error of the pressure)
                 let differs = (touches - cell.touches).abs() > F::EPSILON.sqrt();
-                if differs && (round < TOGETHER || !changed) {
+                if differs && (round < ROUNDS_FOR_ALL || !changed) {
                     changed = true;
-                    if round + 1 < ROUNDS {
+                    if round + 1 < SHARE_ROUNDS {
                         cell.touches = touches;
                     }
                 }
             }
-            if changed && round + 1 < ROUNDS {
+            if changed && round + 1 < SHARE_ROUNDS {
                 continue;
             }
             if STORED < N {
@@ -211,7 +210,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         let mut across = Across::<F, N>::new();
         let pressed = self.list.iter().zip(pressures).enumerate();
         for (j, (cell, pressure)) in pressed.filter(|(_, (_, p))| **p != F::zero()) {
-            across.fill::<Deflection, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Deflection, N>(&CellEdges::new(cell), self.list);
             for ((i, own), difference) in self.list.iter().enumerate().zip(across.differences()) {
                 let mut entry = difference * cell.half_length;
                 let [before, after] = own.coupling;
@@ -236,7 +235,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches > F::zero()) {
             let share = cell.pressure / cell.half_length;
-            across.fill::<Curvature, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Curvature, N>(&CellEdges::new(cell), self.list);
             add(&mut curvatures, across.differences().map(|difference| difference * share));
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {
@@ -251,148 +250,4 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
 fn share_that_touches<F: Float>(overlap: F, partly: F) -> F {
     let share = (overlap / partly + F::one()).times(0.5).min(F::one());
     if share > F::EPSILON.sqrt() { share } else { F::zero() }
-}
-
-/// The edges of a cell.
-struct CellEdges<F, const N: usize> {
-    lower: Dual<F, N>,
-    upper: Dual<F, N>,
-    half_length: F,
-    /// `da/a`
-    growth: [F; N],
-    scale: F,
-}
-
-/// A number with the first of its derivatives.
-#[inline]
-fn stored<F: Float, const N: usize, const STORED: usize>(x: Dual<F, N>) -> Dual<F, STORED> {
-    Dual { value: x.value, gradient: core::array::from_fn(|k| x.derivative(k)) }
-}
-
-impl<F: Float, const N: usize> CellEdges<F, N> {
-    #[inline]
-    fn new<const ALL: usize>(cell: &Cell<F, ALL>) -> Self {
-        let (y, a): (Dual<F, N>, Dual<F, N>) = (stored(cell.y), stored(cell.half_length));
-        let half = stored::<_, ALL, N>(cell.width).times(0.5);
-        let scale = F::one() / a.value;
-        Self {
-            lower: y - half,
-            upper: y + half,
-            half_length: a.value,
-            growth: a.gradient.map(|growth| growth * scale),
-            scale,
-        }
-    }
-
-    /// Replaces each distance by the value of the function.
-    fn all_at<E: StripEdge>(&self, values: &mut [F], slopes: &mut [[F; N]]) {
-        with_avx!(if 1 => <F: Float, E: StripEdge; N>(
-            edges: &CellEdges<F, N> = self,
-            _of: PhantomData<E> = PhantomData::<E>,
-            values: &mut [F],
-            slopes: &mut [[F; N]]
-        ) -> () {
-            edges.in_fours::<E, F::Four>(values, slopes)
-        } {
-            edges.in_fours::<E, F::WideFour>(values, slopes)
-        })
-    }
-
-    /// The same, four side by side.
-    #[inline(always)]
-    fn in_fours<E: StripEdge, P: Strips<F>>(&self, values: &mut [F], slopes: &mut [[F; N]]) {
-        let one = P::one();
-        let four = |four: &[F; 4]| P::gather(|k| four.get(k).copied().unwrap_or(F::one()));
-        let slopes = slopes.as_chunks_mut::<4>().0.iter_mut();
-        for (values, slopes) in values.as_chunks_mut::<4>().0.iter_mut().zip(slopes) {
-            let distance = four(values);
-            let size = distance.abs();
-            let t = size * P::all(self.scale);
-            // one division for 1/(1 + t) and 1/d
-            let both = one / (size * (t + one));
-            let (w, inverse) = (size * both, (t + one) * both);
-            let log = F::ln_quotients(size, self.half_length);
-            let [value, slope] = E::kernel(t, w, log);
-            let sign = distance.choose(one, -one);
-            let value = sign * value;
-            *values = core::array::from_fn(|k| value.lane(k));
-            for (d, growth) in self.growth.into_iter().enumerate() {
-                let moved = P::gather(|k| {
-                    slopes.get(k).and_then(|slopes| slopes.get(d)).copied().unwrap_or(F::one())
-                });
-                // d ln t = d(distance)/distance − da/a
-                let relative = sign * moved * inverse - P::all(growth);
-                let slope = sign * slope * relative;
-                for (k, slopes) in slopes.iter_mut().enumerate() {
-                    set_at(slopes, d, slope.lane(k));
-                }
-            }
-        }
-    }
-}
-
-/// Largest number of edges whose distances from a cell are needed.
-const EDGES: usize = 2 * CELLS;
-
-/// A function of the distances of a cell's edges from the places of all cells.
-struct Across<F, const N: usize> {
-    values: [F; EDGES],
-    slopes: [[F; N]; EDGES],
-    /// Whether it is the lower edge. Before each is the upper edge.
-    is_lower: [bool; EDGES],
-    count: usize,
-}
-
-impl<F: Float, const N: usize> Across<F, N> {
-    fn new() -> Self {
-        let none = [F::one(); EDGES];
-        Self { values: none, slopes: [[F::one(); N]; EDGES], is_lower: [false; EDGES], count: 0 }
-    }
-
-    /// An odd function of `t = d/a`. Where cells as wide as this one are neighbours, one's lower
-    /// edge is as far as the other's upper edge.
-    #[inline]
-    fn fill<E: StripEdge, const ALL: usize>(
-        &mut self, edges: &CellEdges<F, N>, cells: &[Cell<F, ALL>],
-    ) {
-        let Self { values, slopes, is_lower, count } = self;
-        let width = (edges.upper - edges.lower).value;
-        let close = width * F::EPSILON.times(256.0);
-        let mut places = values.iter_mut().zip(slopes.iter_mut()).zip(is_lower.iter_mut());
-        let mut add = |distance: Dual<F, N>, lower: bool| {
-            if let Some(((value, slope), is_lower)) = places.next() {
-                (*value, *slope, *is_lower) = (distance.value, distance.gradient, lower);
-            }
-        };
-        let mut last: Option<F> = None;
-        for cell in cells {
-            let (place, at) = (cell.at.value, stored(cell.at));
-            if !last.is_some_and(|before| (place - before - width).abs() <= close) {
-                add(at - edges.upper, false);
-            }
-            add(at - edges.lower, true);
-            last = Some(place);
-        }
-        *count = EDGES - places.len();
-        let fours = count.next_multiple_of(4);
-        if let (Some(values), Some(slopes)) = (values.get_mut(..fours), slopes.get_mut(..fours)) {
-            edges.all_at::<E>(values, slopes);
-        }
-    }
-
-    /// The value at the lower edge less that at the upper one, for each cell.
-    #[inline]
-    fn differences(&self) -> impl Iterator<Item = Dual<F, N>> {
-        let Self { values, slopes, is_lower, count } = self;
-        let pairs = values.windows(2).zip(slopes.windows(2)).zip(is_lower.iter().skip(1));
-        pairs.take(count.saturating_sub(1)).filter(|(_, is_lower)| **is_lower).map(|(pair, _)| {
-            match pair {
-                ([upper, lower], [upper_moved, lower_moved]) => {
-                    let upper = Dual { value: *upper, gradient: *upper_moved };
-                    Dual { value: *lower, gradient: *lower_moved } - upper
-                }
-                _ => Dual::zero(),
-            }
-        })
-    }
 }

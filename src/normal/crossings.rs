@@ -77,8 +77,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
 
     /// The zones where a function is negative; returns whether one of them ends with the profile.
     /// `of` gives the value and the slope of the function from a place, the height there and its
-    /// slope. (The zones are written where they stay: a copy
-    /// would take room on the stack.)
+    /// slope. The zones are written in place, because a copy would take room on the stack.
     pub(super) fn zones(
         &self, zones: &mut Zones<F, N>,
         of: impl Fn(Dual<F, N>, Dual<F, N>, Dual<F, N>) -> [Dual<F, N>; 2],
@@ -101,14 +100,14 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             if !knot.joined {
                 zones.end();
                 if own[0].value < F::zero() {
-                    zones.begin(self.seen(knot.y), own);
+                    zones.begin(self.without_slopes_if_still(knot.y), own);
                     at_end = at_end || knot.y.value <= start;
                 }
             }
-            last = Some((self.seen(knot.y), own));
+            last = Some((self.without_slopes_if_still(knot.y), own));
             let Some(next) = next.filter(|next| next.joined) else { continue };
             let end = at(next);
-            last = Some((self.seen(next.y), end));
+            last = Some((self.without_slopes_if_still(next.y), end));
             let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
             let step = next_y - y;
             // no cubic falls farther below its ends, nor does it rise farther above them

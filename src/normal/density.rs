@@ -16,13 +16,13 @@ use crate::number::{Arithmetic, Dual, Float, pairs};
 use heapless::Vec;
 
 /// Largest number of zones of contact; further zones are joined with the last.
-pub(super) const ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
+pub(super) const MOST_ZONES: usize = if cfg!(target_os = "none") { 4 } else { 8 };
 /// Largest number of places where the density is kept.
-const PLACES: usize = if cfg!(target_os = "none") { 40 } else { 160 };
+const DENSITY_PLACES: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 /// `d₀` over the approach.
 const DEEP: f64 = 0.03;
 /// `l` over the smoothing length.
-const REACH: f64 = 0.1;
+const SLOPE_LENGTH: f64 = 0.1;
 /// Variation of the depth that hardly counts, over `d₀`.
 const SLIGHT: f64 = 0.02;
 
@@ -38,9 +38,9 @@ struct DensityPoint<F, const N: usize> {
 /// Zones in ascending `y`, with their densities.
 pub(super) struct Zones<F, const N: usize> {
     /// How many places each has.
-    list: Vec<usize, ZONES>,
+    list: Vec<usize, MOST_ZONES>,
     /// Of all zones; between them the density is linear.
-    places: Vec<DensityPoint<F, N>, PLACES>,
+    places: Vec<DensityPoint<F, N>, DENSITY_PLACES>,
     /// One over `d₀` \[1/m\].
     per_deep: Dual<F, N>,
     /// `l` \[m\]
@@ -72,7 +72,7 @@ impl<F: Float, const N: usize> Stretch<F, N> {
     }
 
     /// Where the integral of the density from the beginning has a value \[m\].
-    pub fn place(&self, part: Dual<F, N>) -> Dual<F, N> {
+    pub fn place_of(&self, part: Dual<F, N>) -> Dual<F, N> {
         // ρ₀ t + (ρ₁ − ρ₀) t²/(2 L) = part, without cancellation
         let [one, two] = self.densities;
         let bend = (two - one) * part / (self.to - self.from);
@@ -86,7 +86,7 @@ impl<F: Float, const N: usize> Zones<F, N> {
     /// No zones; depths are measured with the approach \[m\], slopes with the smoothing length.
     #[inline]
     pub fn new(approach: Dual<F, N>, smoothing: Dual<F, N>) -> Self {
-        let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(REACH));
+        let (per_deep, reach) = (approach.times(DEEP).inverse(), smoothing.times(SLOPE_LENGTH));
         let (list, places, variation) = (Vec::new(), Vec::new(), Dual::zero());
         let (last, begun, joined) = (variation, None, false);
         Self { list, places, per_deep, reach, variation, last, begun, joined }
@@ -130,15 +130,15 @@ impl<F: Float, const N: usize> Zones<F, N> {
     /// A zone begins at `y` with this value and slope. Without room the last zone goes on instead.
     pub fn begin(&mut self, y: Dual<F, N>, of: [Dual<F, N>; 2]) {
         let known = self.places.len();
-        let room = !self.list.is_full() && known + 3 <= PLACES;
+        let room = !self.list.is_full() && known + 3 <= DENSITY_PLACES;
         let last = if room { None } else { self.list.pop() };
         self.joined |= !room;
         self.begun = Some(known - last.unwrap_or(0).min(known));
         self.pass(y, of);
     }
 
-    /// The function has this value and slope at `y`, in the zone that has begun or at its end. (Of
-    /// places where cells are as narrow as anywhere only the first and the last are kept.)
+    /// The function has this value and slope at `y`, in the zone that has begun or at its end. Of
+    /// places where cells are as narrow as anywhere only the first and the last are kept.
     #[inline(never)]
     pub fn pass(&mut self, y: Dual<F, N>, [value, slope]: [Dual<F, N>; 2]) {
         let Some(begun) = self.begun else { return };

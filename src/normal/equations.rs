@@ -138,8 +138,8 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     }
 
     /// Gauss's elimination without pivots of the rows and columns of touching cells: the diagonal
-    /// is the largest of its row. Below it stand the factors. (Columns of other cells are computed
-    /// too and not used.)
+    /// is the largest of its row. Below it stand the factors. Columns of other cells are computed
+    /// too and not used.
     #[inline(always)]
     fn factorise(&mut self, touching: &[usize]) {
         let fours = self.fours();

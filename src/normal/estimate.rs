@@ -12,8 +12,8 @@
 //! has the least energy. This load is within 3 % of Hertz's for axis ratios of 0.13 to 8.
 
 use crate::normal::cell::Cells;
-use crate::normal::density::{ZONES, Zones};
-use crate::normal::layout::{layout, lean};
+use crate::normal::density::{MOST_ZONES, Zones};
+use crate::normal::layout::{couple_parts, layout};
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Dual, Float, Number, Strips};
@@ -24,8 +24,8 @@ pub(super) const OVERLAP: f64 = 0.6;
 /// `ε/√(1.1 R δ)`
 const BREADTH: f64 = 0.22;
 /// Number of cells of the estimate of an ordinary contact, and of one with many lobes.
-const COUNT: usize = 10;
-const MOST: usize = if cfg!(target_os = "none") { COUNT } else { 16 };
+const LOADS: usize = 10;
+const MOST_LOADS: usize = if cfg!(target_os = "none") { LOADS } else { 16 };
 
 /// The load of an approach and its distribution.
 #[derive(Clone, Debug)]
@@ -33,7 +33,7 @@ pub(super) struct Estimate<F, const N: usize> {
     /// `N/(π E*)` \[m²\]
     pub load: Dual<F, N>,
     /// Edges of the places, in fours.
-    fours: Vec<FourEdges<F, N>, FOURS>,
+    fours: Vec<FourEdges<F, N>, LOAD_FOURS>,
     breadth: Dual<F, N>,
 }
 
@@ -50,8 +50,8 @@ struct FourEdges<F, const N: usize> {
 }
 
 /// Edges at most.
-const EDGES: usize = 2 * (MOST + ZONES);
-const FOURS: usize = EDGES.div_ceil(4);
+const LOAD_EDGES: usize = 2 * (MOST_LOADS + MOST_ZONES);
+const LOAD_FOURS: usize = LOAD_EDGES.div_ceil(4);
 
 impl<F: Float, const N: usize> Estimate<F, N> {
     /// The load alone. It stays out of line, so that the edges take room on the stack only here.
@@ -61,7 +61,7 @@ impl<F: Float, const N: usize> Estimate<F, N> {
         cells: &mut Cells<F, N>,
     ) -> Dual<F, N> {
         let mut estimate = Self::nothing();
-        estimate.fill(curve, approach, cells, |_| radius);
+        estimate.solve_for(curve, approach, cells, |_| radius);
         estimate.load
     }
 
@@ -72,20 +72,20 @@ impl<F: Float, const N: usize> Estimate<F, N> {
     }
 
     /// The estimate for an approach, from none; `radius` gives the rolling radius of places with
-    /// their depths, and `cells` is memory. (It is written where it stays: a copy would take room
-    /// on the stack.)
+    /// their depths, and `cells` is memory. It is written in place, because a copy would take room
+    /// on the stack.
     #[inline(never)]
-    pub fn fill(
+    pub fn solve_for(
         &mut self, curve: &SmoothedProfile<F, N>, approach: Dual<F, N>, cells: &mut Cells<F, N>,
         radius: impl FnOnce(&mut dyn Iterator<Item = [Dual<F, N>; 2]>) -> Dual<F, N>,
     ) {
         let level = approach.times(OVERLAP);
         place_loads(curve, (approach, level), cells);
-        lean(cells);
+        couple_parts(cells);
         let (zero, places) = (Dual::zero(), cells.list.as_slice());
         let (mut work, mut load) = (zero, zero);
-        let mut depths: Vec<Dual<F, N>, EDGES> = Vec::new();
-        let mut edges: Vec<LoadEdge<F, N>, EDGES> = Vec::new();
+        let mut depths: Vec<Dual<F, N>, LOAD_EDGES> = Vec::new();
+        let mut edges: Vec<LoadEdge<F, N>, LOAD_EDGES> = Vec::new();
         for place in places {
             let q = (level - curve.over(place.at, place.over)).max(zero);
             let half = place.width.times(0.5);
@@ -181,7 +181,7 @@ fn place_loads<F: Float, const N: usize>(
 ) {
     let mut zones = Zones::new(approach, curve.smoothing());
     curve.zones(&mut zones, |_, height, slope| [height - level, slope]);
-    layout(&zones, [COUNT, MOST], cells);
+    layout(&zones, [LOADS, MOST_LOADS], cells);
 }
 
 /// Numbers of up to four edges side by side.

@@ -8,8 +8,8 @@ use crate::numerics::hermite::Cubic;
 /// stands for; from twice this share on they are its own.
 const NEAR_ZERO: f64 = 0.1;
 /// Rounds that find an extreme, and how far it is from its place at last, over the length.
-const ROUNDS: u32 = 20;
-const CLOSE: f64 = 1e-9;
+const EXTREME_ROUNDS: u32 = 20;
+const EXTREME_FOUND: f64 = 1e-9;
 
 /// An extreme of the function that the cubic stands for where its value is near zero, where its
 /// sign depends on how exactly its place is known; that of the cubic elsewhere, and between both a
@@ -40,13 +40,13 @@ pub(super) fn refined<F: Float, const N: usize>(
         if before < F::zero() { (from + reach).min(length) } else { (from - reach).max(F::zero()) };
     let mut slope = steepness(t);
     if (before < F::zero()) != (slope < F::zero()) {
-        let close = length * F::of(CLOSE).max(F::EPSILON.times(8.0));
+        let close = length * F::of(EXTREME_FOUND).max(F::EPSILON.times(8.0));
         let mut last = from;
         let mut bracket = Bracket { negative: from, positive: from };
         for (place, slope) in [(from, before), (t, slope)] {
             bracket.narrow(place, slope);
         }
-        for _ in 0..ROUNDS {
+        for _ in 0..EXTREME_ROUNDS {
             let ahead = slope * ((t - last) / (slope - before));
             if !ahead.is_finite_number() || ahead.abs() <= close {
                 break;

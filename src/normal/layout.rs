@@ -16,14 +16,14 @@
 //! is not whole, half of the rest is in the first cell and half in the last.
 
 use crate::normal::cell::{Cell, Cells};
-use crate::normal::density::{ZONES, Zones};
+use crate::normal::density::{MOST_ZONES, Zones};
 use crate::number::{Arithmetic, Dual, Float, add};
 use heapless::Vec;
 
 /// `κ/w` of half a cell, but for the factor of how it is cut.
-const LEANING: f64 = 0.3;
+const PART_COUPLING: f64 = 0.3;
 /// Gap over width of a cell, at which its parts are half apart.
-const NEAR: f64 = 0.5;
+const HALF_APART: f64 = 0.5;
 /// Least gap, over half of that width.
 const CLOSEST: f64 = 1e-6;
 /// Lobes that need no more cells than one does.
@@ -92,7 +92,7 @@ pub(super) fn layout<F: Float, const N: usize>(
             if !(next.value < end.value - least) || own.at.value >= next.value {
                 break;
             }
-            let cut = Cut { place: stretch.place((next - begin) / inverse), at: next, zone };
+            let cut = Cut { place: stretch.place_of((next - begin) / inverse), at: next, zone };
             add(&own, &cut, cell, zero);
             own = cut;
             whole = zero;
@@ -130,21 +130,21 @@ struct Cut<F, const N: usize> {
 /// the mean over all numbers from 0 to 1 of `κ` with the shares of zones whose nearness, over the
 /// free length between, is more than the number.
 #[inline(never)]
-pub(super) fn lean<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
+pub(super) fn couple_parts<F: Float, const N: usize>(cells: &mut Cells<F, N>) {
     let list = &mut cells.list;
     let [total, all] = list
         .iter()
         .fold([Dual::zero(); 2], |[width, share], part| [width + part.width, share + part.share]);
-    let half_cell = (total / all.shift(F::TINY)).times(NEAR).squared();
+    let half_cell = (total / all.shift(F::TINY)).times(HALF_APART).squared();
     for i in 0..list.len() {
-        if let (Some(leaning), Some(own)) = (leaning(list, i, half_cell), list.get_mut(i)) {
-            *own = leaning;
+        if let (Some(coupled), Some(own)) = (coupled(list, i, half_cell), list.get_mut(i)) {
+            *own = coupled;
         }
     }
 }
 
 /// A part of a cell that leans on others; none for a whole cell.
-fn leaning<F: Float, const N: usize>(
+fn coupled<F: Float, const N: usize>(
     known: &[Cell<F, N>], i: usize, half_cell: Dual<F, N>,
 ) -> Option<Cell<F, N>> {
     let place = known.get(i)?;
@@ -153,20 +153,20 @@ fn leaning<F: Float, const N: usize>(
     }
     let parts = known.iter().filter(|part| part.number == place.number);
     let width = parts.fold(Dual::zero(), |sum, part| sum + part.width);
-    let reach = width.times(NEAR).squared();
+    let reach = width.times(HALF_APART).squared();
     let [below, above] = [-1, 1].map(|step| Beside::new(known, i, step, reach));
     let mut sums = [place.width, place.share, place.width * place.y];
     add(&mut sums, below.near);
     add(&mut sums, above.near);
     let [near, share, moment] = sums;
     // κ over the part's own width
-    let (cell, per_width) = ((near / share).times(LEANING), place.width.inverse());
+    let (cell, per_width) = ((near / share).times(PART_COUPLING), place.width.inverse());
     let rest = (Dual::one() - share).max(Dual::zero());
-    let mut leaning = Cell { at: moment / near, over: near, ..*place };
-    leaning.alone = cell * softness_of_zone(known, i, half_cell);
+    let mut coupled = Cell { at: moment / near, over: near, ..*place };
+    coupled.alone = cell * softness_of_zone(known, i, half_cell);
     let by_zone = cell * rest.squared() / share * near * per_width;
     let sides = [(&below, &above, i.checked_sub(1)), (&above, &below, Some(i + 1))];
-    for ((side, other, next), coupling) in sides.into_iter().zip(&mut leaning.coupling) {
+    for ((side, other, next), coupling) in sides.into_iter().zip(&mut coupled.coupling) {
         let Some(next) = next.and_then(|next| known.get(next)) else { continue };
         if next.zone == place.zone {
             *coupling = by_zone;
@@ -175,10 +175,10 @@ fn leaning<F: Float, const N: usize>(
             let both = inner * side.outer / (inner + side.outer);
             let half = width.times(0.5);
             let closeness = half / (side.gap + half.times(CLOSEST));
-            *coupling = width.times(LEANING) * both * closeness * per_width;
+            *coupling = width.times(PART_COUPLING) * both * closeness * per_width;
         }
     }
-    Some(leaning)
+    Some(coupled)
 }
 
 /// Free length between two parts \[m\].
@@ -203,7 +203,7 @@ fn softness_of_zone<F: Float, const N: usize>(
     let mut share = place.share;
     // nearness and share of other zones on a side, the nearest first
     let mut others = |parts: &mut dyn Iterator<Item = &Cell<F, N>>| {
-        let mut others = Vec::<[Dual<F, N>; 2], ZONES>::new();
+        let mut others = Vec::<[Dual<F, N>; 2], MOST_ZONES>::new();
         let (mut free, mut last) = (Dual::zero(), place);
         for part in parts {
             if part.zone != last.zone {

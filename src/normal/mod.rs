@@ -15,7 +15,8 @@
 //! changes a value where it switches. Therefore load, approach and strips are continuous functions
 //! of load, approach and distances, and the stiffness is the derivative of the computed load.
 
-mod cell;
+pub(crate) mod cell;
+mod cell_edges;
 pub mod cells;
 pub(crate) mod crossings;
 mod density;
@@ -23,6 +24,7 @@ mod equations;
 mod estimate;
 mod extremes;
 mod influence;
+mod knot_grid;
 mod layout;
 pub(crate) mod moving;
 pub(crate) mod outline;
@@ -47,7 +49,7 @@ use core::f64::consts::PI;
 use heapless::Vec;
 
 /// Number of corrections of the lengths.
-const PASSES: usize = 2;
+const LENGTH_CORRECTIONS: usize = 2;
 /// Pressure over length, by the patch's mean, below which strips are shortened; least share left.
 const LEAST_SLOPE: f64 = 0.28;
 const LEAST_LENGTH: f64 = 1e-3;
@@ -228,7 +230,7 @@ fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: 
 ) -> Dual<F, N> {
     let mut equations = Equations::<F, STORED, ROOM>::new();
     let mut pressed = cells.press(&mut equations, partly, given);
-    for _ in 0..PASSES {
+    for _ in 0..LENGTH_CORRECTIONS {
         cells.correct(power);
         pressed = cells.press(&mut equations, partly, given);
     }

@@ -12,7 +12,7 @@ use core::cell::Cell;
 pub(crate) type Directed<F> = Dual<F, TOGETHER>;
 
 /// Points whose derivatives are kept while neighbouring knots need them.
-const KEPT: usize = 32;
+const KEPT_POINTS: usize = 32;
 
 /// The number of a point, with the derivatives of its place and distance.
 type Kept<F> = (usize, [[F; TOGETHER]; 2]);
@@ -25,7 +25,7 @@ struct Moving<'a, F> {
     none: F,
     per_fade: F,
     length: F,
-    kept: [Cell<Option<Kept<F>>>; KEPT],
+    kept: [Cell<Option<Kept<F>>>; KEPT_POINTS],
 }
 
 impl<'a, F: Float> Moving<'a, F> {
@@ -38,7 +38,7 @@ impl<'a, F: Float> Moving<'a, F> {
             none: none - profile.lowest,
             per_fade: F::one() / (none - full),
             length,
-            kept: [const { Cell::new(None) }; KEPT],
+            kept: [const { Cell::new(None) }; KEPT_POINTS],
         }
     }
 
@@ -47,7 +47,7 @@ impl<'a, F: Float> Moving<'a, F> {
     fn point(&self, k: usize) -> [Directed<F>; 2] {
         let Profile { y, distance, lowest, .. } = self.profile;
         let k = k.min(y.len().saturating_sub(1));
-        let kept = self.kept.get(k % KEPT);
+        let kept = self.kept.get(k % KEPT_POINTS);
         let [moved, lifted] = match kept.and_then(Cell::get) {
             Some((known, moves)) if known == k => moves,
             _ => {
@@ -64,7 +64,7 @@ impl<'a, F: Float> Moving<'a, F> {
     }
 
     #[inline]
-    fn place(&self, k: usize) -> Directed<F> {
+    fn place_of_point(&self, k: usize) -> Directed<F> {
         let [place, _] = self.point(k);
         place
     }
@@ -72,7 +72,7 @@ impl<'a, F: Float> Moving<'a, F> {
     /// As the [`parabola`](super::parabola) has it.
     #[inline(always)]
     fn spacing(&self, place: Directed<F>, next: usize) -> Directed<F> {
-        let y = around(next, self.profile.y.len().saturating_sub(1), |k| self.place(k));
+        let y = around(next, self.profile.y.len().saturating_sub(1), |k| self.place_of_point(k));
         let [_, _, from, to, _, _] = y;
         let [before, after] = spacings_at_ends(y);
         before + (place - from) / (to - from) * (after - before)
@@ -80,7 +80,7 @@ impl<'a, F: Float> Moving<'a, F> {
 
     /// Height and slope of the curve at a place.
     #[inline(always)]
-    fn knot(&self, place: Directed<F>) -> [Directed<F>; 2] {
+    fn height_and_slope(&self, place: Directed<F>) -> [Directed<F>; 2] {
         let before = |y: F| self.profile.y.partition_point(|own| *own < y);
         let next = before(place.value);
         let spacing = self.spacing(place, next);
@@ -91,7 +91,7 @@ impl<'a, F: Float> Moving<'a, F> {
         for k in begin..end {
             let [y, height] = self.point(k);
             let x = (y - place) * inverse;
-            let width = self.place(k + 1) - self.place(k.saturating_sub(1));
+            let width = self.place_of_point(k + 1) - self.place_of_point(k.saturating_sub(1));
             let counts = (-height).shift(self.none).scale(self.per_fade);
             // w = (1 − x²)³ width u² (3 − 2 u)
             let rest = (F::one() - x.value * x.value).max(F::zero());
@@ -162,11 +162,11 @@ impl<F: Float> SmoothedProfile<F, TOGETHER> {
         for knot in &mut self.knots {
             let place = knot.y.value;
             knot.y.gradient = match ends.map(|end| end == place) {
-                [true, _] => moving.place(0).gradient,
-                [_, true] => moving.place(y.len()).gradient,
+                [true, _] => moving.place_of_point(0).gradient,
+                [_, true] => moving.place_of_point(y.len()).gradient,
                 _ => stretch.map(|rate| rate * (place - *middle)),
             };
-            let [height, slope] = moving.knot(knot.y);
+            let [height, slope] = moving.height_and_slope(knot.y);
             (knot.height.gradient, knot.slope.gradient) = (height.gradient, slope.gradient);
         }
     }

@@ -4,9 +4,9 @@
 use crate::contact::totals::StripCount;
 use crate::normal::cell::{CELLS, Cells, FEW};
 use crate::normal::cells::Given;
-use crate::normal::density::{ZONES, Zones};
+use crate::normal::density::{MOST_ZONES, Zones};
 use crate::normal::estimate::{Estimate, OVERLAP};
-use crate::normal::layout::{layout, lean};
+use crate::normal::layout::{couple_parts, layout};
 use crate::normal::profile::{Profile, invert};
 use crate::normal::profile_contact::ProfileContact;
 use crate::normal::smooth::SmoothedProfile;
@@ -18,7 +18,7 @@ use heapless::Vec;
 /// Gap of the undeformed bodies at the edge of the contact, over the estimated deflection.
 const DEFLECTED: f64 = 0.73;
 /// Largest height of the curve's knots above the lowest point, over the first approach.
-const REACH: f64 = 1.6;
+const KNOT_HEIGHT: f64 = 1.6;
 /// Power of a correction times the number of lengths that it moves.
 const POWER: f64 = 0.94;
 /// Least square of a half length, over `R δ`.
@@ -36,7 +36,7 @@ fn number_of_cells(count: StripCount) -> [usize; 2] {
         StripCount::ThirtyTwo => [36, 40],
         StripCount::SixtyFour => [40, 40],
     };
-    cells.map(|cells| cells.min(CELLS - ZONES))
+    cells.map(|cells| cells.min(CELLS - MOST_ZONES))
 }
 
 /// Passes memory for the cells of a patch of so many strips to a function. Most patches have no
@@ -45,7 +45,7 @@ pub(crate) fn with_cells<F: Float, R, const N: usize>(
     count: StripCount, function: impl FnOnce(&mut Cells<F, N>) -> R,
 ) -> R {
     let [_, most] = number_of_cells(count);
-    if FEW == CELLS || most + ZONES <= FEW {
+    if FEW == CELLS || most + MOST_ZONES <= FEW {
         with_room_for::<F, R, N, FEW>(function)
     } else {
         with_room_for::<F, R, N, CELLS>(function)
@@ -77,8 +77,8 @@ pub(super) struct Outline<F, const N: usize> {
 
 impl<F: Float> Outline<F, 1> {
     /// Where cells lie, with their first lengths. None where the smoothed profile does not reach
-    /// the other body. (Out of line: what leads to the cells need not be kept while they are
-    /// solved.)
+    /// the other body. It stays out of line, because what leads to the cells is not needed while
+    /// they are solved.
     #[inline(never)]
     pub fn new(
         profile: &Profile<F>, contact: &ProfileContact<F>, given: Given<Dual<F, 1>>,
@@ -99,7 +99,7 @@ impl<F: Float> Outline<F, 1> {
         };
         let [half_width, radius_there] = profile.section(first, radius);
         let length = contact.smoothing(half_width);
-        let mut curve = SmoothedProfile::new(profile, length, first.times(REACH));
+        let mut curve = SmoothedProfile::new(profile, length, first.times(KNOT_HEIGHT));
         // load and deflection before the normal problem
         let approach = match given {
             Given::Approach(approach) => approach,
@@ -144,7 +144,7 @@ impl<F: Float, const N: usize> Outline<F, N> {
         count: StripCount, cells: &mut Cells<F, N>,
     ) -> Self {
         let (warning, radius, width) = touching(curve, approach, radius, count, cells);
-        lean(cells);
+        couple_parts(cells);
         let first_lengths = Lengths::new(width, radius, approach);
         let of = |[y, over]: [Dual<F, N>; 2]| {
             let height = curve.over(y, over);
@@ -153,7 +153,7 @@ impl<F: Float, const N: usize> Outline<F, N> {
             let touches = if touches { F::one() } else { F::zero() };
             ([height, radius, first_lengths.at(height, radius)], touches)
         };
-        cells.fill(of, |y| profile.centre_x(y));
+        cells.set_gaps(of, |y| profile.centre_x(y));
         let power = first_lengths.power(given);
         let [cells, _] = number_of_cells(count);
         let partly = approach.times(PARTLY).scale(F::one() / F::widened(cells as f32));
@@ -162,8 +162,8 @@ impl<F: Float, const N: usize> Outline<F, N> {
 }
 
 /// Lays cells out where the bodies touch by the estimate. Returns whether a zone ends with the
-/// profile, the rolling radius, and the integral of the density of cells \[m\]. (Out of line: the
-/// estimate need not be kept while the cells are filled.)
+/// profile, the rolling radius, and the integral of the density of cells \[m\]. It stays out of
+/// line, because the estimate is not needed afterwards.
 #[inline(never)]
 fn touching<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>, approach: Dual<F, N>,
@@ -172,7 +172,7 @@ fn touching<F: Float, const N: usize>(
 ) -> (Warning, Dual<F, N>, Dual<F, N>) {
     let mut estimate = Estimate::nothing();
     let mut radius = Dual::zero();
-    estimate.fill(curve, approach, cells, |loads| {
+    estimate.solve_for(curve, approach, cells, |loads| {
         radius = of_loads(loads);
         radius
     });

@@ -11,7 +11,7 @@ use crate::numerics::smooth_step;
 use core::ops::Range;
 
 /// Smoothing length over the distance of neighbouring points, at least.
-pub(crate) const STEPS: f64 = 2.5;
+pub(crate) const LEAST_SPACINGS: f64 = 2.5;
 
 /// The parabola about a place.
 pub(super) struct Parabola<T: Arithmetic> {
@@ -189,6 +189,6 @@ pub(super) fn spacings_at_ends<T: Arithmetic>(y: [T; 6]) -> [T; 2] {
             length += gap;
         }
         let [_, before, after, _] = gaps;
-        (squares / length).times(STEPS).max(after.max(before).times(0.5 * STEPS))
+        (squares / length).times(LEAST_SPACINGS).max(after.max(before).times(0.5 * LEAST_SPACINGS))
     })
 }

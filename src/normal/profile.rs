@@ -11,7 +11,7 @@ const SECTION: f64 = 0.55;
 /// `(3/4) V/(0.55 δ)` is half the width of a parabola's section.
 const HALF_WIDTH: f64 = 0.75;
 /// Halvings and Newton steps of a search at most; five are usual.
-const STEPS: u32 = 60;
+const INVERSION_STEPS: u32 = 60;
 
 /// Number of directions.
 pub(crate) const DIRECTIONS: usize = 4;
@@ -123,7 +123,7 @@ impl<'a, F: Float> Profile<'a, F> {
         if self.centre_x.is_empty() {
             return Dual::zero();
         }
-        self.between(self.centre_x, 2, y)
+        self.interpolated(self.centre_x, 2, y)
     }
 
     /// The rolling radius at a place; `otherwise` is that of the contact.
@@ -131,16 +131,16 @@ impl<'a, F: Float> Profile<'a, F> {
         if self.rolling_radius.is_empty() {
             return Dual::from_base(otherwise);
         }
-        self.between(self.rolling_radius, 3, y)
+        self.interpolated(self.rolling_radius, 3, y)
     }
 
     /// The distance of the bodies, straight between the points.
     pub(super) fn distance_at(&self, y: F) -> F {
-        self.between(self.distance, 1, Dual::<F, 0>::from_base(y)).value
+        self.interpolated(self.distance, 1, Dual::<F, 0>::from_base(y)).value
     }
 
     /// Interpolates linearly between the points of a list, which is this one of those that move.
-    fn between<const N: usize>(&self, list: &[F], number: usize, y: Dual<F, N>) -> Dual<F, N> {
+    fn interpolated<const N: usize>(&self, list: &[F], number: usize, y: Dual<F, N>) -> Dual<F, N> {
         let next = self.y.partition_point(|place| *place < y.value);
         let next = next.min(self.y.len().saturating_sub(1)).max(1);
         let (from, to) = (at(self.y, next - 1), at(self.y, next));
@@ -228,7 +228,7 @@ pub(super) fn invert<F: Float>(
     let mut bracket = Bracket { negative: F::TINY, positive: F::LARGEST };
     let mut x = start;
     let close = F::EPSILON.sqrt().max(F::of(1e-5));
-    for step in 1..=STEPS {
+    for step in 1..=INVERSION_STEPS {
         let found = function(Dual::input(x, 0));
         let [slope] = found.gradient;
         if !(found.value > F::zero()) || !found.value.is_finite_number() {
@@ -237,7 +237,7 @@ pub(super) fn invert<F: Float>(
         let excess = found.value.ln_quotient(target.value);
         // the bracket closes around a step of the function
         let closed = bracket.width() <= x * F::EPSILON.times(8.0);
-        if excess.abs() <= close || closed || step == STEPS {
+        if excess.abs() <= close || closed || step == INVERSION_STEPS {
             let inverse = F::one() / slope;
             let better = x + (target.value - found.value) * inverse;
             let value = if bracket.holds(better) { better } else { x };

@@ -18,12 +18,12 @@ use crate::normal::cells::{Cells, Given};
 use crate::number::{Arithmetic, Dual, Float};
 
 /// Distance of cells that hardly count in `m`, over the half length.
-const NEAR: f64 = 0.3;
+const HARDLY: f64 = 0.3;
 /// `x (s + x (a + x b))/(1 + x (d + x e))`, fitted by `fit/fit_skew.py` up to axes of 1 to 3000;
 /// `s` is exact for a circle. The logarithm of the approach under a load, over `ln C`.
-const APPROACH: [f64; 5] = [-1.0 / 9.0, -0.07839468, -0.02163195, 0.49003075, 0.07187667];
+const APPROACH_BY_AXES: [f64; 5] = [-1.0 / 9.0, -0.07839468, -0.02163195, 0.49003075, 0.07187667];
 /// That of the pressure.
-const PRESSURE: [f64; 5] = [2.0 / 9.0, 0.20185655, 0.05583529, 0.79983055, 0.17243379];
+const PRESSURE_BY_AXES: [f64; 5] = [2.0 / 9.0, 0.20185655, 0.05583529, 0.79983055, 0.17243379];
 /// That of `9/16 (c − 1)/(C − 1)` over `ln c`, where `2c` is the ratio of the axes and its inverse.
 const AXES: [f64; 5] = [1.0 / 32.0, 0.00877391, 0.00136164, -0.05536114, 0.03584116];
 
@@ -68,7 +68,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [Dual<F, N>; 2] {
         crowded += load.squared() / cell.width;
     }
     let square = length.times(1.25);
-    let per_reach = square.times(NEAR * NEAR).inverse();
+    let per_reach = square.times(HARDLY * HARDLY).inverse();
     let (mut products, mut squares) = (Dual::zero(), Dual::from_base(F::TINY));
     let touching = || cells.list.iter().filter(|cell| cell.pressure.value > F::zero());
     for (i, cell) in touching().enumerate() {
@@ -96,8 +96,10 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         let [ratio, slope] = shape(self);
         let [straight, root] = curvatures(ratio);
         let skewed = straight + slope.squared() * root.times(0.5);
-        let approach = by_constants(skewed, APPROACH) - by_constants(straight, APPROACH);
-        let pressure = by_constants(skewed, PRESSURE) - by_constants(straight, PRESSURE);
+        let approach =
+            by_constants(skewed, APPROACH_BY_AXES) - by_constants(straight, APPROACH_BY_AXES);
+        let pressure =
+            by_constants(skewed, PRESSURE_BY_AXES) - by_constants(straight, PRESSURE_BY_AXES);
         // N ~ δ^(3/2), p ~ N^(1/3), and the area is N/p
         let (load, approach) = match given {
             Given::Load(_) => (zero, exponential(approach)),

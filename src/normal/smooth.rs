@@ -6,7 +6,8 @@
 //! parabola is not changed, wherever its points lie.
 
 use crate::normal::extremes::cuts;
-use crate::normal::parabola::{Parabola, STEPS, near_points, parabola};
+use crate::normal::knot_grid::Grid;
+use crate::normal::parabola::{LEAST_SPACINGS, Parabola, near_points, parabola};
 use crate::normal::profile::Profile;
 use crate::number::{Arithmetic, Dual, Float, pairs};
 use crate::numerics::hermite::Cubic;
@@ -17,25 +18,23 @@ const KNOTS: usize = if cfg!(target_os = "none") { 40 } else { 160 };
 /// Largest number of pieces of a whole profile; the step of the knots is not smaller.
 const PIECES: f64 = 4096.0;
 /// Smoothing length of wide contacts \[m\].
-const WIDEST: f64 = 2e-3;
+const WIDE_LENGTH: f64 = 2e-3;
 /// `1/(2√3)`
 const GAUSS: f64 = 0.288_675_134_594_812_9;
 /// Smoothing length of narrow contacts over their width.
-const SHARE: f64 = 0.5;
+const NARROW_LENGTH: f64 = 0.5;
 
 /// Depth of the curve below the lowest of the points around, over the range of their distances.
 const FALL: f64 = 0.35;
 
 /// Share of the knots that the low part of a profile takes at most; others are for its margins.
-const ROOM: f64 = 0.7;
+const LOW_SHARE: f64 = 0.7;
 /// Distance up to which surfaces are certainly low, over that from which points do not count.
-const LOW: f64 = 0.1;
+const LOW_DISTANCE: f64 = 0.1;
 /// Number of knots in a smoothing length.
 const KNOTS_TO_A_LENGTH: f64 = 5.0;
 /// The same of the distance of surfaces.
 const KNOTS_OF_SURFACES: f64 = 2.8;
-/// Where the last piece is shorter than this share of the others, the one before ends the profile.
-const STUB: f64 = 1e-3;
 
 /// A place with the height and slope of the smoothed profile.
 #[derive(Clone, Copy, Debug)]
@@ -70,48 +69,13 @@ pub(crate) struct SmoothedProfile<F, const N: usize> {
 
 /// The distance up to which surfaces are certainly low \[m\].
 pub(super) fn low_level<F: Float>(profile: &Profile<F>) -> F {
-    profile.fade.map_or(F::zero(), |[_, none]| none.times(LOW))
-}
-
-/// The places of knots: at equal steps to both sides of a profile's middle, and at its ends.
-struct Grid<F, const N: usize> {
-    ends: [F; 2],
-    middle: F,
-    step: Dual<F, N>,
-    /// Numbers of the knots at the ends.
-    numbers: [i32; 2],
-}
-
-impl<F: Float, const N: usize> Grid<F, N> {
-    fn new(profile: &Profile<F>, step: Dual<F, N>) -> Self {
-        let (ends, middle) = (profile.ends, profile.middle);
-        let number = |end: F, outward: f64| {
-            let steps = (end - middle) / step.value;
-            let inside = steps.plus(-STUB * outward);
-            let whole = F::widened(inside.whole() as f32);
-            // the whole part is rounded toward zero
-            let short = (inside - whole).times(outward) < F::zero();
-            inside.whole() + if short { 0 } else { outward as i32 }
-        };
-        let numbers = [number(ends[0], -1.0), number(ends[1], 1.0)];
-        Self { ends, middle, step, numbers }
-    }
-
-    fn at(&self, knot: i32) -> Dual<F, N> {
-        if knot <= self.numbers[0] {
-            Dual::from_base(self.ends[0])
-        } else if knot >= self.numbers[1] {
-            Dual::from_base(self.ends[1])
-        } else {
-            self.step.scale(F::widened(knot as f32)).shift(self.middle)
-        }
-    }
+    profile.fade.map_or(F::zero(), |[_, none]| none.times(LOW_DISTANCE))
 }
 
 /// The smoothing length: half the width of a narrow contact, 2 mm for a wide one.
 pub(super) fn length_for<F: Float, const N: usize>(half_width: Dual<F, N>) -> Dual<F, N> {
-    let narrow = half_width.times(2.0 * SHARE);
-    let widest = Dual::from_base(F::of(WIDEST));
+    let narrow = half_width.times(2.0 * NARROW_LENGTH);
+    let widest = Dual::from_base(F::of(WIDE_LENGTH));
     // (m⁻⁴ + c⁻⁴)^(−1/4)
     let (small, large) = (narrow.min(widest), narrow.max(widest));
     let ratio = (small / large).squared().squared();
@@ -125,8 +89,8 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     pub(super) fn new(profile: &Profile<F>, length: Dual<F, N>, level: Dual<F, N>) -> Self {
         let mut curve = Self::nothing(profile);
         let low = (level, profile.lowest);
-        curve.fill_all(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
-            curve.fill(profile, length, level.value, step)
+        curve.choose_step(profile, length, KNOTS_TO_A_LENGTH, low, |curve, length, step| {
+            curve.place_knots(profile, length, level.value, step)
         });
         curve.lowest = curve.lowest_between(|_| true);
         curve
@@ -154,8 +118,8 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         let mut curve = Self::nothing(profile);
         let length = Dual::from_base(length);
         let low = (Dual::from_base(low_level(profile)), F::zero());
-        curve.fill_all(profile, length, KNOTS_OF_SURFACES, low, |curve, length, step| {
-            curve.fill_below(profile, length, step)
+        curve.choose_step(profile, length, KNOTS_OF_SURFACES, low, |curve, length, step| {
+            curve.place_knots_of_surfaces(profile, length, step)
         });
         (curve.still, curve.lowest) = (true, Dual::from_base(curve.zero));
         curve
@@ -176,38 +140,38 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         }
     }
 
-    /// Has `fill` place the knots for a smoothing length and a step; it returns whether there was
+    /// Has `place` set the knots for a smoothing length and a step; it returns whether there was
     /// room. The steps are wider where much of the profile is low, by a level above a distance,
     /// so that they need not be doubled at once.
     #[inline]
-    fn fill_all(
+    fn choose_step(
         &mut self, profile: &Profile<F>, length: Dual<F, N>, knots: f64,
         (level, from): (Dual<F, N>, F),
-        mut fill: impl FnMut(&mut Self, Dual<F, N>, Dual<F, N>) -> bool,
+        mut place: impl FnMut(&mut Self, Dual<F, N>, Dual<F, N>) -> bool,
     ) {
         let [first, last] = profile.ends;
         let whole = last - first;
         let length = length.min(Dual::from_base(whole));
-        let floor = profile.step.times(STEPS);
+        let floor = profile.step.times(LEAST_SPACINGS);
         // s² = s₀² + (2.5 steps)², about as the parabolas have it
         self.length = length.squared().shift(floor * floor).sqrt();
         let mut step = self.length.times(1.0 / knots);
         let least = Dual::from_base(whole.times(1.0 / PIECES));
         // a profile at the ends of the number range may be narrower than the least step
         step = step.max(least).max(Dual::tiny());
-        let share = 1.0 / (KNOTS as f64 * ROOM);
+        let share = 1.0 / (KNOTS as f64 * LOW_SHARE);
         if whole.times(share) > step.value {
             let low = profile.low_length(level, from).times(share);
             self.is_wide = low.value > step.value;
             step = step.max(low);
         }
-        while !fill(self, length, step) && step.value < whole {
+        while !place(self, length, step) && step.value < whole {
             step = step.times(2.0);
         }
     }
 
     /// Places knots where the profile is low. Returns whether there was room.
-    fn fill(
+    fn place_knots(
         &mut self, profile: &Profile<F>, length: Dual<F, N>, level: F, step: Dual<F, N>,
     ) -> bool {
         self.knots.clear();
@@ -217,7 +181,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         let ranges = |take: &mut dyn FnMut(i32, F, F) -> bool| {
             let mut from = 0;
             for piece in low_end..high_end {
-                let (begin, end) = (grid.at(piece).value, grid.at(piece + 1).value);
+                let (begin, end) = (grid.knot_at(piece).value, grid.knot_at(piece + 1).value);
                 let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
                 let mut k = from;
                 while let (Some(y), Some(h)) = (profile.y.get(k), profile.distance.get(k)) {
@@ -254,7 +218,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             let wanted = (piece - 2).max(low_end);
             joined = joined && wanted <= next;
             for knot in wanted.max(next)..=(piece + 3).min(high_end) {
-                let y = grid.at(knot);
+                let y = grid.knot_at(knot);
                 let after = profile.y.partition_point(|place| *place < y.value);
                 let Parabola { height, slope, .. } = parabola(profile, y, after, length);
                 if knots.push(Knot { y, height, slope, joined }).is_err() {
@@ -268,7 +232,9 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     }
 
     /// Places knots around wherever the curve may be negative. Returns whether there was room.
-    fn fill_below(&mut self, profile: &Profile<F>, length: Dual<F, N>, step: Dual<F, N>) -> bool {
+    fn place_knots_of_surfaces(
+        &mut self, profile: &Profile<F>, length: Dual<F, N>, step: Dual<F, N>,
+    ) -> bool {
         self.knots.clear();
         let grid = Grid::new(profile, step);
         let [low_end, high_end] = grid.numbers;
@@ -285,7 +251,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
         };
         let mut from = 0;
         let mut may_be_below = |knot: i32| {
-            let place = grid.at(knot).value;
+            let place = grid.knot_at(knot).value;
             from = after(from, place);
             let near = profile.distance.get(from.saturating_sub(1)..=from).unwrap_or(&[]);
             if near.iter().all(|distance| *distance > none) {
@@ -316,7 +282,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             }
             // with those before and after
             for own in (knot - 1).max(next)..=(knot + 1).min(high_end) {
-                let (y, joined) = (grid.at(own), last == own - 1 && own > low_end);
+                let (y, joined) = (grid.knot_at(own), last == own - 1 && own > low_end);
                 first = after(first, y.value);
                 let Parabola { height, slope, share } =
                     parabola(profile, y.value, first, length.value);
@@ -348,16 +314,20 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
 
     /// Smoothing length \[m\].
     pub(super) fn smoothing(&self) -> Dual<F, N> {
-        self.seen(self.length)
+        self.without_slopes_if_still(self.length)
     }
 
-    pub(super) fn seen(&self, x: Dual<F, N>) -> Dual<F, N> {
+    pub(super) fn without_slopes_if_still(&self, x: Dual<F, N>) -> Dual<F, N> {
         if self.still { Dual::from_base(x.value) } else { x }
     }
 
     /// Place, height above the lowest point, and slope of a knot.
     pub(super) fn knot(&self, Knot { y, height, slope, .. }: &Knot<F, N>) -> [Dual<F, N>; 3] {
-        [self.seen(*y), self.seen(*height - self.lowest), self.seen(*slope)]
+        [
+            self.without_slopes_if_still(*y),
+            self.without_slopes_if_still(*height - self.lowest),
+            self.without_slopes_if_still(*slope),
+        ]
     }
 
     /// Height over the inner part of a width: the mean of that of the middle and that over the

@@ -8,8 +8,8 @@ use crate::friction::field::StripBehind;
 use crate::layer::Interface;
 use crate::number::{Float, pairs};
 use crate::patch::friction::{FrictionProblem, Scaled};
-use crate::patch::shares::{Seen, ZoneLaw};
-use crate::patch::slip::{PatchSlip, ZoneSplit, seen_from};
+use crate::patch::shares::{ZoneCreepages, ZoneModel};
+use crate::patch::slip::{PatchSlip, ZoneSplit, creepage_of_strip};
 use crate::patch::solver::Problem;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -93,13 +93,14 @@ impl<'a, F: Float> PatchField<'a, F> {
         let own = found.unwrap_or(lobe.len().saturating_sub(1));
         let strip = lobe.get(own)?;
         number += own;
-        let creepage = seen_from(creepage, strip, view.own(number).as_ref());
+        let creepage = creepage_of_strip(creepage, strip, view.own(number).as_ref());
         let mut of_layer = None;
         let (law, slip) = if Model::HAS_STRIP && *model == Model::Strip {
             let zone = view.zone(number)?;
             let factors = [F::one(), F::one()];
-            let (slip, law) = (PatchSlip::new(&creepage, *behind), ZoneLaw::new(&zone, factors));
-            let Seen { law: rolling, split, whole, .. } = law.see(&slip, &creepage, strip.centre_x);
+            let (slip, law) = (PatchSlip::new(&creepage, *behind), ZoneModel::new(&zone, factors));
+            let ZoneCreepages { distribution: rolling, split, whole, .. } =
+                law.creepages(&slip, &creepage, strip.centre_x);
             of_layer = split.map(|split| split.of_field(strip, &whole));
             let line = law.units.geometry(strip, F::zero());
             (FieldStrip::Strip(rolling, line, F::one()), zone.contact.slip_scale())

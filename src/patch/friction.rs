@@ -72,7 +72,8 @@ pub fn solve_patch_with_law<F: Float>(
     let problem = FrictionProblem::new(patch, creepage, Some(law), model)?;
     let (share, warning) = problem.agreement()?;
     let scaled = problem.scaled(share)?;
-    let solution = problem.under(share, scaled.factor, &scaled.problem()?.solution(), warning);
+    let solution =
+        problem.under_friction(share, scaled.factor, &scaled.problem()?.solution(), warning);
     Ok(FrictionSolution { solution, friction: share })
 }
 
@@ -149,15 +150,17 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
 
     /// The warning of the patch from that at the scaled creepage and that of the friction.
     pub fn warning(&self, scaled: Warning, of_friction: Warning) -> Warning {
-        let told = if scaled == Warning::Mismatch { Warning::None } else { scaled };
+        let own = if scaled == Warning::Mismatch { Warning::None } else { scaled };
         let Problem { view, model, .. } = self.problem;
         let far = view.mismatch().abs() > F::constant(LARGEST_MISMATCH);
-        let told = if far && !model.is_of_1967() { Warning::Mismatch } else { told };
-        told.worse(of_friction)
+        let own = if far && !model.is_of_1967() { Warning::Mismatch } else { own };
+        own.worse(of_friction)
     }
 
     /// The solution of the patch from that at the scaled creepage.
-    fn under(&self, share: F, factor: F, at_scaled: &Solution<F>, warning: Warning) -> Solution<F> {
+    fn under_friction(
+        &self, share: F, factor: F, at_scaled: &Solution<F>, warning: Warning,
+    ) -> Solution<F> {
         let [fx, fy, mz] = at_scaled.components().map(|force| force * share);
         let power = share * (at_scaled.power / factor);
         let warning = self.warning(at_scaled.warning, warning);
@@ -184,7 +187,7 @@ pub fn differentiate_patch<F: Float>(
     let at_share = problem.scaled(share)?;
     let ((found, slopes, interface), own) = at_share.problem()?.with_slopes()?;
     let Scaled { creepage: at, factor, behind, .. } = at_share;
-    let solution = problem.under(share, factor, &found, warning);
+    let solution = problem.under_friction(share, factor, &found, warning);
     if bound <= F::zero() {
         let (derivatives, law) = (Derivatives::default(), LawDerivatives::default());
         let by_mismatch = [F::zero(); 3];

@@ -5,7 +5,7 @@ use crate::contact::creepage::{Creepage, normalised};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
-use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, seen_from};
+use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
@@ -16,7 +16,7 @@ use heapless::Vec;
 const LEAST_BOUND: f64 = 1e-9;
 
 /// What the strips of a zone need of its ellipse.
-pub(super) struct ZoneLaw<F: Float> {
+pub(super) struct ZoneModel<F: Float> {
     zone: Zone<F>,
     pub units: ZoneUnits<F>,
     linear: LinearCoefficients<F>,
@@ -25,9 +25,9 @@ pub(super) struct ZoneLaw<F: Float> {
 
 /// The creepages of the strips of a zone, for one motion and one centre along `x`.
 #[derive(Clone, Copy)]
-pub(super) struct Seen<T: Number> {
+pub(super) struct ZoneCreepages<T: Number> {
     x: T::Base,
-    pub law: Distribution<T>,
+    pub distribution: Distribution<T>,
     /// The creepage that pressure adds.
     shift: T,
     /// The creepage of the ellipse, and what half-spaces and bristles have of it.
@@ -35,7 +35,7 @@ pub(super) struct Seen<T: Number> {
     pub split: Option<ZoneSplit<T>>,
 }
 
-impl<F: Float> ZoneLaw<F> {
+impl<F: Float> ZoneModel<F> {
     /// The factors are those of the quadrature, or 1.
     pub fn new(zone: &Zone<F>, factors: [F; 2]) -> Self {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
@@ -45,15 +45,15 @@ impl<F: Float> ZoneLaw<F> {
     }
 
     /// The creepages of strips with this centre, for their creepage of the patch, not the slip's.
-    pub fn see<T: Number<Base = F>>(
+    pub fn creepages<T: Number<Base = F>>(
         &self, slip: &PatchSlip<T>, creepage: &Creepage<T>, x: F,
-    ) -> Seen<T> {
+    ) -> ZoneCreepages<T> {
         let Self { zone, linear, flexibilities, .. } = self;
-        let (seen, shift) = seen_by(zone, linear, slip, creepage, x);
-        let split = slip.behind.map(|behind| ZoneSplit::new(zone, linear, &seen, x, &behind));
-        let of_half_spaces = split.map_or(seen, |split| split.half_spaces(&seen));
-        let law = flexibilities.see(normalised(&zone.contact, &of_half_spaces));
-        Seen { x, law, shift, whole: seen, split }
+        let (whole, shift) = creepage_of_zone(zone, linear, slip, creepage, x);
+        let split = slip.behind.map(|behind| ZoneSplit::new(zone, linear, &whole, x, &behind));
+        let of_half_spaces = split.map_or(whole, |split| split.half_spaces(&whole));
+        let distribution = flexibilities.see(normalised(&zone.contact, &of_half_spaces));
+        ZoneCreepages { x, distribution, shift, whole, split }
     }
 }
 
@@ -64,7 +64,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     view: &PatchView<F>, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
 ) {
     let QuadratureScale { area, lever } = view.quadrature();
-    let (mut known, mut last): (Option<ZoneLaw<F>>, Option<Seen<T>>) = (None, None);
+    let (mut known, mut last): (Option<ZoneModel<F>>, Option<ZoneCreepages<T>>) = (None, None);
     let of_patch = view.sizes.widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
@@ -76,41 +76,43 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
         for (g, group) in lobe.chunks(8).enumerate() {
             let zero = T::zero();
             let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
-            let mut seen = [(none, T::zero()); 8];
+            let mut creepages = [(none, T::zero()); 8];
             let mut inner = [F::zero(); 8];
             // what successive strips have in common, and which of these a strip has
             let mut shifts: Vec<(T, Option<ZoneSplit<T>>), 8> = Vec::new();
             let mut which = [usize::MAX; 8];
-            let strips = group.iter().zip(&mut seen).zip(&mut inner).zip(&mut which);
-            for (k, (((strip, seen), inner), which)) in strips.enumerate() {
+            let strips = group.iter().zip(&mut creepages).zip(&mut inner).zip(&mut which);
+            for (k, (((strip, creepage), inner), which)) in strips.enumerate() {
                 let i = 8 * g + k;
                 let x = strip.centre_x;
                 if !in_lobe || of_lobe.is_none() {
                     let own = of_lobe.or_else(|| view.zone(first + i));
                     let Some(zone) = own else { continue };
-                    if !known.as_ref().is_some_and(|law| zone.nearly_equals(&law.zone)) {
+                    if !known.as_ref().is_some_and(|model| zone.nearly_equals(&model.zone)) {
                         // So that the slopes are those of the linear theory for any quadrature.
-                        (known, last) = (Some(ZoneLaw::new(&zone, [area, lever])), None);
+                        (known, last) = (Some(ZoneModel::new(&zone, [area, lever])), None);
                     }
                     in_lobe = true;
                 }
-                let Some(law) = &known else { continue };
+                let Some(model) = &known else { continue };
                 let own = view.own(first + i);
                 let changes = own.is_some() || last.as_ref().is_none_or(|last| last.x != x);
                 if changes {
-                    let creepage = seen_from(&slip.creepage, strip, own.as_ref());
-                    last = Some(law.see(slip, &creepage, x));
+                    let of_strip = creepage_of_strip(&slip.creepage, strip, own.as_ref());
+                    last = Some(model.creepages(slip, &of_strip, x));
                 }
                 let Some(found) = &last else { continue };
                 if changes || shifts.is_empty() {
                     let _ = shifts.push((found.shift, found.split));
                 }
                 *which = shifts.len() - 1;
-                *seen = found.law.strip(&law.units.geometry(strip, strip.width * widths.per_mean));
+                *creepage = found
+                    .distribution
+                    .strip(&model.units.geometry(strip, strip.width * widths.per_mean));
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
                 *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
             }
-            let found = eight_strips(&seen, inner).into_iter().zip(which);
+            let found = eight_strips(&creepages, inner).into_iter().zip(which);
             for (k, (strip, (found, which))) in group.iter().zip(found).enumerate() {
                 let (shift, split) = shifts
                     .get(which)
@@ -128,13 +130,13 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
 }
 
 /// Creepage of a zone's ellipse at `x` on its middle line, and the part that pressure adds.
-pub(super) fn seen_by<T: Number>(
+pub(super) fn creepage_of_zone<T: Number>(
     zone: &Zone<T::Base>, linear: &LinearCoefficients<T::Base>, slip: &PatchSlip<T>,
     creepage: &Creepage<T>, x: T::Base,
 ) -> (Creepage<T>, T) {
     let creepage = creepage_at(creepage, x, zone.y);
-    let seen = mismatch::seen(&zone.contact, linear, &creepage, slip.pressure);
-    (seen, seen.longitudinal - creepage.longitudinal)
+    let whole = mismatch::with_pressure(&zone.contact, linear, &creepage, slip.pressure);
+    (whole, whole.longitudinal - creepage.longitudinal)
 }
 
 /// The units of the strips of a zone.

@@ -228,7 +228,7 @@ pub(crate) fn creepage_at<T: Number>(
 }
 
 /// Creepage of the patch at a strip: with that which is `own` at the strip's centre.
-pub(super) fn seen_from<T: Number>(
+pub(super) fn creepage_of_strip<T: Number>(
     creepage: &Creepage<T>, strip: &PatchStrip<T::Base>, own: Option<&Creepage<T::Base>>,
 ) -> Creepage<T> {
     let Some(own) = own else { return *creepage };

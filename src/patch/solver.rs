@@ -30,8 +30,8 @@ use crate::friction::layered::{InterfaceSlopes, WithSlopes};
 use crate::layer::Interface;
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Dual, Float, Number, add, are_finite};
-use crate::patch::shares::{seen_by, strip_shares};
-use crate::patch::slip::{By, PatchSlip, Share, ZoneSplit, creepage_at, seen_from};
+use crate::patch::shares::{creepage_of_zone, strip_shares};
+use crate::patch::slip::{By, PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
@@ -86,7 +86,7 @@ impl<'a, F: Float> Problem<'a, F> {
         let of = |bound: F, Parameters { axis_ratio, psi, .. }: Parameters<F>| {
             model_warning(self.model, bound, axis_ratio, psi)
         };
-        let told = |warning: &Warning| *warning != Warning::None;
+        let is_warning = |warning: &Warning| *warning != Warning::None;
         if self.model.is_of_1967() && self.view.mismatch() != F::zero() {
             return Warning::MismatchNeglected;
         }
@@ -96,13 +96,13 @@ impl<'a, F: Float> Problem<'a, F> {
         let first = if matches!(self.model, Model::Strip | Model::Total) {
             self.view.find_zone(|Zone { contact, .. }| {
                 let own = of(contact.friction_bound(), Parameters::new(contact, creepage));
-                told(&own).then_some(own)
+                is_warning(&own).then_some(own)
             })
         } else {
             let strips = self.view.strips().iter();
             let mut strips =
                 strips.map(|strip| of(strip.friction_bound(), self.parameters(strip, creepage)));
-            strips.find(told)
+            strips.find(is_warning)
         };
         first.unwrap_or(Warning::None)
     }
@@ -118,7 +118,7 @@ impl<'a, F: Float> Problem<'a, F> {
         } else if Model::HAS_STRIP_1967 {
             for (i, strip) in self.view.strips().iter().enumerate() {
                 let of_strip = self.view.own(i);
-                let creepage = seen_from(&slip.creepage, strip, of_strip.as_ref());
+                let creepage = creepage_of_strip(&slip.creepage, strip, of_strip.as_ref());
                 let own = slip.behind.and_then(|behind| Some((behind, self.view.zone(i)?)));
                 let share = match own {
                     None => self.theory_share(strip, &creepage),
@@ -195,7 +195,7 @@ impl<'a, F: Float> Problem<'a, F> {
     fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &PatchSlip<T>) -> ZoneTotals<T> {
         let Contact { a, b, poisson_ratio, .. } = zone.contact;
         let linear = LinearCoefficients::at(a / b, poisson_ratio);
-        let (seen, shift) = seen_by(zone, &linear, slip, &slip.creepage, zone.x);
+        let (seen, shift) = creepage_of_zone(zone, &linear, slip, &slip.creepage, zone.x);
         let split = slip.behind.map(|behind| ZoneSplit::new(zone, &linear, &seen, zone.x, &behind));
         let seen = split.map_or(seen, |split| split.half_spaces(&seen));
         let total = total::Total::new(a / b, poisson_ratio, &linear);

@@ -23,7 +23,7 @@ use crate::patch::{PatchStrip, PatchView};
 use core::f64::consts::PI;
 
 /// Width of a neck over the smaller part: no connection below, full connection above.
-const APART: f64 = 0.55;
+const NECK_WIDTH: f64 = 0.55;
 const WHOLE: f64 = 0.85;
 /// Gap between neighbours over a strip's width where the connection weakens, and where it ends.
 const TOUCHING: f64 = 0.5;
@@ -168,7 +168,7 @@ impl<F: Float> Walk<F> {
     }
 
     /// The weight of the next strip.
-    fn pass(&mut self, last: &PatchStrip<F>, next: &PatchStrip<F>) -> F {
+    fn weight_of(&mut self, last: &PatchStrip<F>, next: &PatchStrip<F>) -> F {
         let l = next.half_length;
         self.neck = self.neck.min(l);
         let smaller = self.peak.min(l);
@@ -176,7 +176,7 @@ impl<F: Float> Walk<F> {
         let gap = (next.y - last.y).abs() - (next.width + last.width).times(0.5);
         let gap = gap * self.per_width;
         if self.neck < smaller.times(WHOLE) || gap > F::of(TOUCHING) {
-            let share = (self.neck / smaller).plus(-APART).times(1.0 / (WHOLE - APART));
+            let share = (self.neck / smaller).plus(-NECK_WIDTH).times(1.0 / (WHOLE - NECK_WIDTH));
             let near = (F::of(GAP) - gap).times(1.0 / (GAP - TOUCHING));
             let share = share.min(near).clamped(F::zero(), F::one());
             self.weight = self.weight.min(smooth_step(share));
@@ -212,7 +212,7 @@ impl<F: Float> PatchView<'_, F> {
         let mut sums = ZoneSums::default();
         let mut last = first;
         for strip in strips {
-            if walk.pass(last, strip) < F::one() {
+            if walk.weight_of(last, strip) < F::one() {
                 return None;
             }
             sums.add(strip, units, first.centre_x, F::one());
@@ -253,11 +253,11 @@ impl<F: Float> PatchView<'_, F> {
         let before = number.checked_sub(1).and_then(|i| self.strips().get(i));
         let after = self.strips().get(number + lobe.len());
         let near = |one: Option<&PatchStrip<F>>, two: &PatchStrip<F>| {
-            one.is_some_and(|one| Walk::new(one, per_width).pass(one, two) > F::zero())
+            one.is_some_and(|one| Walk::new(one, per_width).weight_of(one, two) > F::zero())
         };
         let mut walk = Walk::new(first, per_width);
         let mut pairs = pairs(lobe);
-        let whole = pairs.all(|(last, next)| walk.pass(last, next) >= F::one());
+        let whole = pairs.all(|(last, next)| walk.weight_of(last, next) >= F::one());
         let alone = whole && !near(before, first) && !near(after, last);
         // Strips without load have no common ellipse.
         let zone = if alone { self.zone_around(number)? } else { return None };
@@ -274,7 +274,7 @@ impl<F: Float> PatchView<'_, F> {
         let mut add = |strips: &mut dyn Iterator<Item = &PatchStrip<F>>| {
             let (mut walk, mut last) = (Walk::new(own, units.widths.per_width), own);
             for strip in strips {
-                let weight = walk.pass(last, strip);
+                let weight = walk.weight_of(last, strip);
                 sums.add(strip, units, own.centre_x, weight);
                 if !(weight > F::zero()) {
                     break;

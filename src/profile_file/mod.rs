@@ -24,16 +24,16 @@ use crate::status::{Error, Warning};
 use crate::wheel_rail::sine_cosine;
 
 /// Widest profile in metres and in inches, and in mm, of a file without a unit.
-const WIDEST: [f64; 3] = [0.6, 12.0, 2000.0];
+const WIDEST_PROFILE: [f64; 3] = [0.6, 12.0, 2000.0];
 /// Metres per inch and per mm.
 const INCH: f64 = 0.0254;
 const MILLIMETRE: f64 = 1e-3;
 /// Points nearer to the one before are left out \[m\].
-const NEAREST: f64 = 1e-9;
+const NEAREST_POINTS: f64 = 1e-9;
 /// Fewest points.
-const FEWEST: usize = 4;
+const FEWEST_POINTS: usize = 4;
 /// How much farther from all others a number is that marks a missing one, and its least size.
-const FAR: f64 = 20.0;
+const FAR_NUMBER: f64 = 20.0;
 const MARK: f64 = 99.0;
 /// Largest coordinate \[units of the file\].
 const LARGEST: f64 = 1e12;
@@ -72,7 +72,9 @@ impl<F: Float> Range<F> {
         let [least, second, below, most] = self.0;
         let is_mark = |end: F, next: F, other: F| {
             let span = (next - other).abs();
-            end.abs() >= F::of(MARK) && span > F::zero() && (end - next).abs() > span.times(FAR)
+            end.abs() >= F::of(MARK)
+                && span > F::zero()
+                && (end - next).abs() > span.times(FAR_NUMBER)
         };
         is_mark(most, below, least) || is_mark(least, second, most)
     }
@@ -148,7 +150,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
         let all = file.examine()?;
         let mut count = 0;
         file.places(&mut |_| count += 1);
-        Error::Profile.when(count < FEWEST)?;
+        Error::Profile.when(count < FEWEST_POINTS)?;
         Error::Capacity.when(count > capacity)?;
         file.count = count;
         file.header.is_left_out |= count < all;
@@ -173,7 +175,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
                 range.add(x);
             }
         })?;
-        Error::Profile.when(count < FEWEST)?;
+        Error::Profile.when(count < FEWEST_POINTS)?;
         Error::NotFinite.unless(is_finite)?;
         let has_mark = ranges.iter().any(Range::has_mark);
         Error::FileMissing.when(self.format == Format::Columns && has_mark)?;
@@ -189,7 +191,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
     /// Metres per unit, by the header or by the width of the points.
     fn find_unit(&mut self, width: F) -> Result<(), Error> {
         let Header { units_per_metre, units_per_radian, unit, .. } = self.header;
-        let [metres, inches, millimetres] = WIDEST.map(F::of);
+        let [metres, inches, millimetres] = WIDEST_PROFILE.map(F::of);
         self.unit = match (self.format, unit) {
             (Format::Simpack, _) => {
                 let is_positive = units_per_metre > F::zero() && units_per_radian > F::zero();
@@ -224,7 +226,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
         let _ = self.format.read(self.text, &mut Header::new(), &mut |[y, z]: [F; 2]| {
             let [y, z] = [(y + shift[0]) * self.unit, (z + shift[1]) * self.unit];
             let point = [y_sign * (cosine * y - sine * z), z_sign * (sine * y + cosine * z)];
-            if last.is_none_or(|last| distance_of_points(last, point) > F::of(NEAREST)) {
+            if last.is_none_or(|last| distance_of_points(last, point) > F::of(NEAREST_POINTS)) {
                 place(point);
             }
             last = Some(point);

@@ -9,14 +9,14 @@ use crate::number::Float;
 
 /// Strength of evidence, 0 to 1, below which it is weak, and from which it overrules the convention
 /// of a format.
-const WEAK: f64 = 0.2;
+const WEAK_EVIDENCE: f64 = 0.2;
 const DECISIVE: f64 = 0.6;
 const CLEAR: f64 = 1.0 - 1e-6;
 /// From the flange back of a wheel to its running circle \[m\].
 const FLANGE_BACK: f64 = 0.070;
 /// Tips of flanges at smaller y belong to profiles from the running circle, and at these y to those
 /// from the flange back \[m\].
-const TIP: f64 = -0.020;
+const FLANGE_TIP: f64 = -0.020;
 const TIP_FROM_BACK: f64 = 0.035;
 /// Least width and height of the profile of a wheel with a flange \[m\].
 const WHEEL: [f64; 2] = [0.08, 0.015];
@@ -64,7 +64,7 @@ impl<F: Float> ProfileFile<'_, F> {
             }
             (Some(kind), _) | (None, Some(kind)) => (kind, has_convention),
             (None, None) => {
-                if !shape.is_wheel.is_at_least(WEAK) {
+                if !shape.is_wheel.is_at_least(WEAK_EVIDENCE) {
                     *notes |= KSTRIP_NOTE_DOUBT_KIND;
                 }
                 let is_wheel = shape.is_wheel.value > F::zero();
@@ -81,7 +81,7 @@ impl<F: Float> ProfileFile<'_, F> {
         };
         let [width, height] = [&*y, &*z].map(width_of);
         let [least_width, least_height] = WHEEL.map(F::of);
-        if width < least_width || height < least_height || tip <= F::of(TIP) {
+        if width < least_width || height < least_height || tip <= F::of(FLANGE_TIP) {
             return 0;
         }
         if self.format != Format::MiniProf
@@ -121,7 +121,7 @@ fn is_upward<F: Float>(
         *notes |= if is_against { KSTRIP_NOTE_DOUBT_Z } else { 0 };
         return is_against;
     }
-    let is_weak = !down.is_at_least(WEAK);
+    let is_weak = !down.is_at_least(WEAK_EVIDENCE);
     *notes |= if is_weak { KSTRIP_NOTE_DOUBT_Z } else { 0 };
     !is_weak && down.is_no()
 }
@@ -147,5 +147,5 @@ fn is_mirrored<F: Float>(
         *notes |= KSTRIP_NOTE_DOUBT_SIDE;
         return false;
     }
-    side.is_no() && side.is_at_least(WEAK)
+    side.is_no() && side.is_at_least(WEAK_EVIDENCE)
 }

@@ -15,12 +15,12 @@ use crate::number::Float;
 use crate::wheel_rail::profile::PreparedProfile;
 
 /// Sine of the angle below which a part is flat.
-const FLAT: f64 = 0.342;
+const FLAT_PART: f64 = 0.342;
 /// Most points that are used, and most flat parts.
-const MOST: usize = 500;
+const MOST_USED: usize = 500;
 const MOST_FLATS: usize = 64;
 /// Least depth of the sides of a rail's head \[m\]. A groove for a ball is less deep.
-const DEEP: f64 = 8e-3;
+const LEAST_SIDE: f64 = 8e-3;
 /// The size of a profile over the length with which it is smoothed.
 const SMOOTHING: f64 = 1.0 / 40.0;
 
@@ -108,9 +108,9 @@ impl<F: Float> Shape<F> {
     /// The evidence of the points \[m\] of a profile, in their order, either way along y; none if
     /// no line follows the points.
     pub(super) fn of_points(y: &[F], z: &[F]) -> Option<Self> {
-        let every = 1 + y.len() / MOST;
-        let mut thinned = [[F::zero(); MOST]; 2];
-        let count = y.len().div_ceil(every).min(MOST);
+        let every = 1 + y.len() / MOST_USED;
+        let mut thinned = [[F::zero(); MOST_USED]; 2];
+        let count = y.len().div_ceil(every).min(MOST_USED);
         for (list, thin) in [y, z].into_iter().zip(&mut thinned) {
             let at = |k: usize| list.get(k * every).copied().unwrap_or(F::zero());
             for (k, place) in thin.iter_mut().enumerate().take(count) {
@@ -155,7 +155,7 @@ impl<F: Float> Examined<F> {
             flange_left: flange_left(&main, if is_down { F::one() } else { -F::one() }),
             gauge_left: [stands.0, turned.0],
             heads: [stands.1, turned.1],
-            has_deep_head_turned: sides_turned.any(|side| side.depth >= F::of(DEEP)),
+            has_deep_head_turned: sides_turned.any(|side| side.depth >= F::of(LEAST_SIDE)),
         }
     }
 
@@ -193,7 +193,7 @@ impl<F: Float> Examined<F> {
 
     fn is_flat(&self, k: usize) -> bool {
         let point = self.0.point(k);
-        point.is_some_and(|at| at.sine.abs() < F::of(FLAT) && at.cosine > F::zero())
+        point.is_some_and(|at| at.sine.abs() < F::of(FLAT_PART) && at.cosine > F::zero())
     }
 
     fn add_sides(&self, flats: &mut Flats<F>, longest: F) {

@@ -8,7 +8,7 @@ use crate::number::Float;
 use crate::status::Error;
 
 /// Deepest nesting of sections.
-const DEEPEST: usize = 8;
+const DEEPEST_NESTING: usize = 8;
 
 /// Whether a line begins a section of such a file.
 pub(super) fn begins_simpack(line: &[u8]) -> bool {
@@ -31,7 +31,7 @@ fn section<'a>(line: &'a [u8], mark: &str) -> Option<&'a [u8]> {
 pub(super) fn read_simpack<F: Float>(
     text: &[u8], header: &mut Header<F>, point: &mut dyn FnMut([F; 2]),
 ) -> Result<(), Error> {
-    let mut sections = heapless::Vec::<&[u8], DEEPEST>::new();
+    let mut sections = heapless::Vec::<&[u8], DEEPEST_NESTING>::new();
     for line in Lines::new(text).map(|line| up_to(line, b"!%")).filter(|line| !line.is_empty()) {
         let within = sections.last().copied().unwrap_or(b"");
         if let Some(name) = section(line, ".begin") {

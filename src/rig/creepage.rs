@@ -30,26 +30,26 @@ use crate::numerics::{Bracket, Cubic};
 use crate::status::{Error, Warning};
 
 /// Relative distance from `μ N` up to which a force counts as full sliding.
-const SLIDING: f64 = 1e-3;
+const FULL_SLIDING: f64 = 1e-3;
 /// Largest number of solutions.
-const MOST: usize = 40;
+const MOST_CREEPAGES: usize = 40;
 /// Number of solutions in a row that do not halve the error, after which the search starts again:
-/// along the requested force, at the creepages `STARTS` times that where the first start ended,
+/// along the requested force, at `START_CREEPAGES` times the creepage where the first start ended,
 /// which counts at least as `NEAREST` units of slip.
 const IDLE: usize = 6;
-const STARTS: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
+const START_CREEPAGES: [f64; 7] = [1.15, 1.5, 2.0, 0.6, 4.0, 0.3, 8.0];
 const NEAREST: f64 = 0.3;
 /// Largest ratio of the next step to this one with which this one is accepted.
-const SHORTER: f64 = 0.8;
+const STEP_RATIO: f64 = 0.8;
 /// Error below which no step is damped: the force falls again, and the root lies beyond.
 const CLOSE: f64 = 0.1;
 /// Damping, divided by the sum of the squares of the slopes, if the plain step leads no closer, and
 /// the factor by which the damping grows.
 const DAMPING: f64 = 0.03;
-const GROWTH: f64 = 10.0;
+const DAMPING_GROWTH: f64 = 10.0;
 /// Least slope of the cubic that gives the length of a step along the cubics through the last two
 /// places; with less the plain step is taken.
-const STEEP: f64 = 0.1;
+const LEAST_CUBIC_SLOPE: f64 = 0.1;
 /// Distances from the requested force divided by `μ N`, in roundings: the search ends; a place is
 /// left to rounding; a place is still accepted.
 const REACHED: f64 = 16.0;
@@ -99,7 +99,8 @@ pub fn creepage_for_force<F: Float>(
             .map(|()| (none, Warning::None));
     }
     let (bound, saturates) = (contact.friction_bound(), options.model != Model::Linear);
-    let (largest, most) = (bound * F::EPSILON.times(4.0).plus(1.0), bound.times(1.0 - SLIDING));
+    let (largest, most) =
+        (bound * F::EPSILON.times(4.0).plus(1.0), bound.times(1.0 - FULL_SLIDING));
     Error::ForceBeyondFriction.unless(!saturates || size <= largest)?;
     let falls = law.is_some_and(SlipFriction::falls);
     let sliding = saturates && !falls && size >= most;
@@ -172,7 +173,7 @@ impl<F: Float> Iterate<F> {
     fn contracts(&self, step: [F; 2]) -> bool {
         let ([x, y], [[xx, xy], [yx, yy]]) = (self.error, self.slopes);
         let size = length(yy * x - xy * y, xx * y - yx * x);
-        size < self.determinant() * length(step[0], step[1]).times(SHORTER)
+        size < self.determinant() * length(step[0], step[1]).times(STEP_RATIO)
     }
 
     /// Whether the force falls again on the way: the derivatives have another orientation than at
@@ -215,7 +216,7 @@ impl<'a, F: Float> Aim<'a, F> {
         Creepage { longitudinal: x * self.slip, lateral: y * self.slip, spin: self.spin }
     }
 
-    fn place(&mut self, at: [F; 2]) -> Result<Iterate<F>, Error> {
+    fn iterate_at(&mut self, at: [F; 2]) -> Result<Iterate<F>, Error> {
         self.solved += 1;
         let creepage = self.creepage(at);
         let Differentiated { solution, derivatives, .. } =
@@ -240,16 +241,16 @@ impl<'a, F: Float> Aim<'a, F> {
 
     /// The creepage of the requested force, or the nearest one that was found.
     pub(crate) fn find(&mut self) -> Result<Iterate<F>, Error> {
-        let start = self.place([F::zero(); 2])?;
+        let start = self.iterate_at([F::zero(); 2])?;
         let mut best = self.follow(start);
         let reach = length(best.at[0], best.at[1]).max(F::constant(NEAREST));
         let size = length(self.target[0], self.target[1]) + F::TINY;
         let direction = self.target.map(|part| part / size);
-        for larger in STARTS.map(F::constant) {
-            if best.distance <= F::EPSILON.times(TAKEN) || self.solved >= MOST {
+        for larger in START_CREEPAGES.map(F::constant) {
+            if best.distance <= F::EPSILON.times(TAKEN) || self.solved >= MOST_CREEPAGES {
                 break;
             }
-            let Ok(start) = self.place(direction.map(|part| part * (reach * larger))) else {
+            let Ok(start) = self.iterate_at(direction.map(|part| part * (reach * larger))) else {
                 break;
             };
             if start.determinant() <= F::zero() {
@@ -268,10 +269,13 @@ impl<'a, F: Float> Aim<'a, F> {
         let (mut place, mut before) = (start, None);
         let (mut share, mut damping) = (F::one(), F::zero());
         let (mut mark, mut idle) = (start.off, 0);
-        while self.solved < MOST && idle < IDLE && place.distance > F::EPSILON.times(REACHED) {
+        while self.solved < MOST_CREEPAGES
+            && idle < IDLE
+            && place.distance > F::EPSILON.times(REACHED)
+        {
             let Iterate { at, error, off, distance, .. } = place;
-            let step = self.step(&place, before.as_ref(), damping).map(|part| part * share);
-            let Ok(next) = self.place([at[0] + step[0], at[1] + step[1]]) else { break };
+            let step = self.newton_step(&place, before.as_ref(), damping).map(|part| part * share);
+            let Ok(next) = self.iterate_at([at[0] + step[0], at[1] + step[1]]) else { break };
             let halves = next.off < mark.times(0.5);
             (mark, idle) = if halves { (next.off, 0) } else { (mark, idle + 1) };
             let near = distance <= F::EPSILON.times(ROUNDING);
@@ -301,7 +305,7 @@ impl<'a, F: Float> Aim<'a, F> {
                     break;
                 } else {
                     (before, share) = (None, F::one());
-                    damping = damping.times(GROWTH).max(F::constant(DAMPING));
+                    damping = damping.times(DAMPING_GROWTH).max(F::constant(DAMPING));
                 }
             }
         }
@@ -310,7 +314,7 @@ impl<'a, F: Float> Aim<'a, F> {
 
     /// One step of Newton's method, `(Jᵀ J + λ) Δ = −Jᵀ error`; with a place before this one along
     /// the cubics through both.
-    fn step(&self, place: &Iterate<F>, before: Option<&Iterate<F>>, damping: F) -> [F; 2] {
+    fn newton_step(&self, place: &Iterate<F>, before: Option<&Iterate<F>>, damping: F) -> [F; 2] {
         let Iterate { at, error, slopes: [[xx, xy], [yx, yy]], .. } = *place;
         let (p, q, r) = (xx * xx + yx * yx, xx * xy + yx * yy, xy * xy + yy * yy);
         let added = damping * (p + r);
@@ -358,7 +362,7 @@ fn bent<F: Float>(
     let mut t = e;
     for _ in 0..4 {
         let slope = F::one() + t * (c.times(2.0) + t * d.times(3.0));
-        if !(slope > F::constant(STEEP)) {
+        if !(slope > F::constant(LEAST_CUBIC_SLOPE)) {
             return None;
         }
         t = t - (t * (F::one() + t * (c + t * d)) - e) / slope;

@@ -26,12 +26,12 @@ use crate::status::{Error, Warning};
 use nalgebra::{Matrix6, Vector6};
 
 /// Largest number of times that all forces are computed from one start.
-const MOST: usize = 80;
+const MOST_EVALUATIONS: usize = 80;
 /// The same from the least minimum, if it has not been reached.
 const MOST_AT_THE_END: usize = 1000;
 /// Starts besides the given one: friction divided by the largest share of the load that was
 /// measured, and the others in the units of the parameters.
-const STARTS: [[f64; 6]; 9] = [
+const START_PARAMETERS: [[f64; 6]; 9] = [
     [1.05, 0.5, 1.0, 0.5, 0.5, 1.0],
     [1.05, 0.5, 0.5, 0.1, 0.8, 0.1],
     [1.2, 0.3, 0.5, 0.3, 0.95, 10.0],
@@ -46,7 +46,7 @@ const STARTS: [[f64; 6]; 9] = [
 /// squared.
 const AS_GOOD: f64 = 1.0201;
 /// Difference of a parameter divided by its size from which two minima are not the same.
-const APART: f64 = 0.02;
+const MINIMA_APART: f64 = 0.02;
 /// Roundings of the forces that are left at the minimum of exact points.
 const EXACT: f64 = 100.0;
 /// Damping at the start, its least, and the one that ends the search; how it falls and grows.
@@ -54,9 +54,9 @@ const DAMPING: [f64; 3] = [1e-2, 1e-8, 1e8];
 const FALLS: f64 = 0.2;
 const GROWS: f64 = 4.0;
 /// Fall of the sum that ends the search, divided by the sum and by the root of a rounding.
-const REACHED: f64 = 0.01;
+const FALL_REACHED: f64 = 0.01;
 /// Least factors, and least layer over the bodies' flexibility: below, no derivative is left.
-const LEAST: f64 = 1e-3;
+const LEAST_FACTOR: f64 = 1e-3;
 /// Error of the forces, over their size, that is presumed at least where it is asked whether the
 /// points tell the parameters; and the share of a parameter that its standard error must not
 /// exceed.
@@ -148,7 +148,7 @@ struct Fit<'a, F> {
 }
 
 /// Least plausible slope factor: measured curves have 0.2 to 1.
-const SOFTEST: f64 = 0.05;
+const LEAST_SLOPE_FACTOR: f64 = 0.05;
 
 /// The sum of the squares over `N²`, half of its derivatives, and the normal equations.
 #[derive(Clone, Copy)]
@@ -242,7 +242,7 @@ impl<'a, F: Float> Fit<'a, F> {
         let slow = start.rolling_speed * fastest;
         let decay = if slow > zero { one / slow } else { one };
         let units = Vector6::new(one, one, decay, one, one, flexible);
-        let (least, most, half) = (F::of(LEAST), F::of(1e6), F::of(0.5));
+        let (least, most, half) = (F::of(LEAST_FACTOR), F::of(1e6), F::of(0.5));
         let low = Vector6::new(least, zero, zero, least, least, least);
         let high = Vector6::new(most, one, most, one, one, most);
         let usual = Vector6::new(used.times(1.05).max(least), half, one, half, half, one);
@@ -314,17 +314,17 @@ impl<'a, F: Float> Fit<'a, F> {
     /// The least of the minima that are reached from all starts.
     fn find(&self) -> Result<FrictionFit<F>, (usize, Error)> {
         let given = parameters(&self.start).zip_map(&self.units, |start, unit| start / unit);
-        let rounding = self.rounding();
-        let mut best = self.minimum(&given, MOST);
+        let rounding = self.exact_rest();
+        let mut best = self.minimum(&given, MOST_EVALUATIONS);
         let mut is_alone = true;
-        for start in STARTS {
+        for start in START_PARAMETERS {
             if best.as_ref().is_ok_and(|best| best.sums.total <= rounding) {
                 break;
             }
             let mut start = Vector6::from(start.map(F::of));
             start.iter_mut().take(1).for_each(|friction| *friction = *friction * self.used);
             let start = given.zip_zip_map(&self.fitted, &start, choose);
-            let Ok(other) = self.minimum(&start, MOST) else { continue };
+            let Ok(other) = self.minimum(&start, MOST_EVALUATIONS) else { continue };
             let Ok(found) = best else {
                 best = Ok(other);
                 continue;
@@ -347,14 +347,14 @@ impl<'a, F: Float> Fit<'a, F> {
     }
 
     /// What is left of the sum at the minimum of exact points.
-    fn rounding(&self) -> F {
+    fn exact_rest(&self) -> F {
         self.squares * (F::EPSILON * F::EPSILON).times(EXACT * EXACT)
     }
 
     /// Whether a fitted parameter of two minima differs by more than a small share of its size.
     fn are_apart(&self, one: &Vector6<F>, other: &Vector6<F>) -> bool {
         one.iter().zip(other).zip(&self.fitted).any(|((one, other), fitted)| {
-            *fitted && (*one - *other).abs() > one.abs().max(other.abs()).times(APART)
+            *fitted && (*one - *other).abs() > one.abs().max(other.abs()).times(MINIMA_APART)
         })
     }
 
@@ -388,14 +388,14 @@ impl<'a, F: Float> Fit<'a, F> {
                 let fall = sums.total - found.total;
                 (at, sums) = (next, found);
                 let rounding = self.squares * F::EPSILON * F::EPSILON;
-                settled = fall <= sums.total * F::EPSILON.sqrt().times(REACHED) + rounding;
+                settled = fall <= sums.total * F::EPSILON.sqrt().times(FALL_REACHED) + rounding;
                 damping = damping.times(FALLS).max(least);
             } else {
                 damping = damping.times(GROWS);
                 settled = damping > stiffest || next == at;
             }
         }
-        settled |= sums.total <= self.rounding();
+        settled |= sums.total <= self.exact_rest();
         Ok(Minimum { at, sums, steps, settled })
     }
 
@@ -449,7 +449,7 @@ impl<'a, F: Float> Fit<'a, F> {
         ];
         let law = self.law(at);
         let [[_, _, _, is_fitted, _, _]] = self.fitted.data.0;
-        let is_soft = is_fitted && law.slope_factor < F::of(SOFTEST);
+        let is_soft = is_fitted && law.slope_factor < F::of(LEAST_SLOPE_FACTOR);
         let per_cent = if is_soft { Warning::PerCent } else { Warning::None };
         FrictionFit {
             law,

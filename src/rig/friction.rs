@@ -17,22 +17,22 @@ const STICKING: f64 = 20.0;
 const RANGE: f64 = 1e4;
 /// Largest friction that adhesion may need, divided by the used one. Beyond it only full sliding
 /// can be told.
-const SLIDING: f64 = 1e5;
+const LARGEST_ADHESION: f64 = 1e5;
 /// The way up from the used friction: the largest number of steps; limits of the ratio that tells
 /// how far in sliding the contact is; and the growth of `x` in a step, for a ratio above all
 /// limits, below one, below two and below three of them.
 const WALK: usize = 46;
 const LIMITS: [f64; 3] = [0.1, 1.0 / 30.0, 0.01];
-const GROWTH: [f64; 4] = [1.0 + 0.1, 1.0 + 0.1 * 2.0, 1.0 + 0.1 * 4.0, 1.0 + 0.1 * 6.0];
+const WALK_GROWTH: [f64; 4] = [1.0 + 0.1, 1.0 + 0.1 * 2.0, 1.0 + 0.1 * 4.0, 1.0 + 0.1 * 6.0];
 /// Number of solutions up to which intervals are divided, and the largest number of all solutions
 /// with that of the answer.
 const DIVIDED: usize = 64;
-const MOST: usize = 90;
+const MOST_FRICTIONS: usize = 90;
 /// Width below which, and height above which, a crossing is a jump.
 const NARROW: f64 = 1e-9;
 const HIGH: f64 = 1e-6;
 /// Number of roundings up to which a force counts as zero.
-const ROUNDINGS: f64 = 32.0;
+const ZERO_ROUNDINGS: f64 = 32.0;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
@@ -110,7 +110,7 @@ impl<'a, F: Float> Rig<'a, F> {
         let Contact { a, b, shear_modulus, normal_force, mismatch, .. } = stiff;
         let size = creepage.fastest_within((a * b).sqrt());
         let unit = (shear_modulus * a * b * size / normal_force + mismatch.abs()).times(4.0);
-        let most = used.times(SLIDING);
+        let most = used.times(LARGEST_ADHESION);
         let unit = if unit < most { unit } else { most };
         // for any friction that is tried
         let friction = unit.max(used).times(RANGE * 1.01);
@@ -177,7 +177,7 @@ impl<'a, F: Float> Rig<'a, F> {
         // dμ/dx = unit/(1 − x)²
         let stretch = F::one() / (F::one() - x);
         let slope = slope * self.unit / over * stretch * stretch;
-        let rounding = self.used / self.unit * F::EPSILON.times(ROUNDINGS);
+        let rounding = self.used / self.unit * F::EPSILON.times(ZERO_ROUNDINGS);
         let value = if value.abs() <= rounding { F::zero() } else { value };
         Ok(Sample { x, value, slope })
     }
@@ -231,7 +231,7 @@ impl<'a, F: Float> Rig<'a, F> {
             // Far in sliding the force is friction times a direction, nearly.
             let ratio = last.ratio();
             let slides = LIMITS.map(F::constant).into_iter().filter(|limit| ratio < *limit);
-            let growth = GROWTH.map(F::constant);
+            let growth = WALK_GROWTH.map(F::constant);
             let mut x = last.x * growth.get(slides.count()).copied().unwrap_or(one);
             if !search.jumps {
                 let reach = ratio + last.value.abs().times(1.0 / STEEPEST);
@@ -273,8 +273,8 @@ impl<'a, F: Float> Rig<'a, F> {
         let mut bracket = Bracket { negative: below.x, positive: above.x };
         let mut place = if below.value.abs() < above.value.abs() { below } else { above };
         let mut width = bracket.width();
-        for step in 0..MOST {
-            if place.value == F::zero() || self.solved + 1 >= MOST {
+        for step in 0..MOST_FRICTIONS {
+            if place.value == F::zero() || self.solved + 1 >= MOST_FRICTIONS {
                 break;
             }
             let newton = place.x - place.value / place.slope;

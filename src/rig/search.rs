@@ -14,14 +14,14 @@ use heapless::Vec;
 
 /// Largest number of intervals that are kept: those with a change of sign, and those that may hide
 /// two roots.
-const KEPT: usize = 64;
+const KEPT_INTERVALS: usize = 64;
 /// Weights of the three parts of the error estimate: the distance of the slopes from those of a
 /// parabola, the change of the slopes, and the width of the interval divided by its place.
 const NO_PARABOLA: f64 = 2.0;
-const TURN: f64 = 0.3;
-const WIDTH: f64 = 4.0;
+const SLOPE_CHANGE: f64 = 0.3;
+const INTERVAL_WIDTH: f64 = 4.0;
 /// Error of the values, in roundings.
-const ROUNDINGS: f64 = 500.0;
+const VALUE_ROUNDINGS: f64 = 500.0;
 /// Largest slope of the function divided by `x/(1 − x)`, in size.
 pub(super) const STEEPEST: f64 = 1.5;
 
@@ -71,7 +71,7 @@ impl<F: Float> Interval<F> {
 
 /// The intervals that contain or may hide a root.
 pub(super) struct Search<F> {
-    kept: Vec<Interval<F>, KEPT>,
+    kept: Vec<Interval<F>, KEPT_INTERVALS>,
     /// Whether the function jumps, so that nothing bounds its growth.
     pub(super) jumps: bool,
 }
@@ -83,7 +83,7 @@ impl<F: Float> Search<F> {
 
     /// Keeps the interval between two places if it contains or may hide a root.
     pub(super) fn add(&mut self, from: Sample<F>, to: Sample<F>) {
-        let (danger, _) = self.judged(&from, &to);
+        let (danger, _) = self.error_between(&from, &to);
         let interval = Interval { from, to, danger };
         if interval.is_done() {
             return;
@@ -99,7 +99,7 @@ impl<F: Float> Search<F> {
     pub(super) fn next(&self) -> Option<(Interval<F>, F)> {
         let dangerous = self.kept.iter().filter(|kept| kept.danger > F::one());
         let worst = dangerous.reduce(|a, b| if b.danger > a.danger { b } else { a })?;
-        Some((*worst, self.judged(&worst.from, &worst.to).1))
+        Some((*worst, self.error_between(&worst.from, &worst.to).1))
     }
 
     /// Divides an interval that [`next`](Self::next) has returned.
@@ -124,7 +124,7 @@ impl<F: Float> Search<F> {
 
     /// The possible error between two places divided by the error that a root needs; and where to
     /// look for it.
-    fn judged(&self, from: &Sample<F>, to: &Sample<F>) -> (F, F) {
+    fn error_between(&self, from: &Sample<F>, to: &Sample<F>) -> (F, F) {
         let width = to.x - from.x;
         let root = F::EPSILON.cube_root();
         if width <= to.x * root * root {
@@ -137,10 +137,10 @@ impl<F: Float> Search<F> {
         let sign = if upward { F::one() } else { -F::one() };
         let [a, b, p, q, chord] =
             [from.value, to.value, from.slope, to.slope, chord].map(|x| x * sign);
-        let noise = to.x * F::EPSILON.times(ROUNDINGS) / width;
+        let noise = to.x * F::EPSILON.times(VALUE_ROUNDINGS) / width;
         let hidden = (p + q - chord.times(2.0)).abs().times(NO_PARABOLA)
-            + (p - q).abs().times(TURN)
-            + (width / to.x).times(WIDTH)
+            + (p - q).abs().times(SLOPE_CHANGE)
+            + (width / to.x).times(INTERVAL_WIDTH)
             + noise;
         if changes {
             // the slope at both ends and in the middle

@@ -19,8 +19,8 @@ type StripColumns<F> = [[F; 8]; 6];
 type ForcesAndSlopes<F, const ROWS: usize> = ([[F; 8]; 4], [[[F; 8]; 5]; ROWS]);
 
 /// Number of rows of derivatives: none, or that of the forces and the moment.
-const VALUES: usize = 0;
-const SLOPES: usize = 3;
+const NO_ROWS: usize = 0;
+const FORCE_ROWS: usize = 3;
 
 /// The forces of eight strips. Each has a weight of the inner strips' nodes, 0 to 1.
 #[inline(never)]
@@ -29,9 +29,9 @@ pub fn eight_strips<T: Number>(
 ) -> [StripForces<T>; 8] {
     // One function serves all numbers of derivatives, which keeps the code small.
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, both_kinds::<T::Base, SLOPES>)
+        carried(seen, inner, both_kinds::<T::Base, FORCE_ROWS>)
     } else {
-        carried(seen, inner, both_kinds::<T::Base, VALUES>)
+        carried(seen, inner, both_kinds::<T::Base, NO_ROWS>)
     }
 }
 
@@ -40,9 +40,9 @@ pub fn eight_one_by_one<T: Number>(
     seen: &[(StripCreepage<T>, T); 8], inner: [T::Base; 8],
 ) -> [StripForces<T>; 8] {
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, SLOPES>)
+        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, FORCE_ROWS>)
     } else {
-        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, VALUES>)
+        carried(seen, inner, of_kinds::<T::Base, Lanes<T::Base, 1>, NO_ROWS>)
     }
 }
 
@@ -93,7 +93,7 @@ fn both_kinds<F: Real, const ROWS: usize>(
 ) {
     let [.., inner] = eight;
     let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
-    if ROWS == SLOPES && !are_mixed && !IS_SMALL {
+    if ROWS == FORCE_ROWS && !are_mixed && !IS_SMALL {
         return with_avx!(if 1 => <F: Real; ROWS>(
             eight: &StripColumns<F>,
             found: &mut ForcesAndSlopes<F, ROWS>
@@ -156,7 +156,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
         let are_mixed = P::any_exceeds([inner * (P::one() - inner)], [P::zero()]);
-        if ROWS == VALUES && !are_mixed && !IS_SMALL {
+        if ROWS == NO_ROWS && !are_mixed && !IS_SMALL {
             let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
@@ -178,7 +178,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
                 *place = mixed.lane(k);
             }
         };
-        if cfg!(target_os = "none") && ROWS == SLOPES {
+        if cfg!(target_os = "none") && ROWS == FORCE_ROWS {
             // One kind after the other, by the function of all strips.
             let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
             let by_spin = SpinSlopes::new(&spin);
@@ -202,7 +202,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
             Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
         });
-        let StripForces { fx, fy, mx, stick } = if ROWS == SLOPES {
+        let StripForces { fx, fy, mx, stick } = if ROWS == FORCE_ROWS {
             let by_spin = SpinSlopes::new(&spin);
             let (carried, own) = forces_and_slopes(&seen, &spin, &constants, &by_spin);
             for (slopes, own) in slopes.as_flattened_mut().iter_mut().zip(own.as_flattened()) {

@@ -7,7 +7,7 @@ use super::tables::{Constants, Tables};
 use crate::number::Float;
 
 /// Least distance from the trailing edge; a point that is nearer counts as being there.
-const LEAST: f64 = 1e-9;
+const LEAST_DISTANCE: f64 = 1e-9;
 /// Keeps quotients finite where no traction acts.
 const NO_TRACTION: f64 = 1e-30;
 
@@ -37,7 +37,7 @@ impl<F: Float> Distribution<F> {
         let (seen, sigma) = self.strip(strip);
         let spin = Spin::new(sigma);
         let Separatrix { y, s, root, .. } = Separatrix::new(&seen, &spin);
-        let tau = (place + one).clamped(F::of(LEAST), two);
+        let tau = (place + one).clamped(F::of(LEAST_DISTANCE), two);
         let inverse = one / s;
         let n = [seen.x * inverse, y * inverse + spin.r];
         if tau >= s && s < two {
@@ -98,7 +98,7 @@ fn step_to<F: Float>(s: F, before: F, t: F) -> Step<F> {
     Step {
         length: before - t,
         place: t,
-        inverse_bound: F::one() / bound.max(F::of(LEAST)),
+        inverse_bound: F::one() / bound.max(F::of(LEAST_DISTANCE)),
         soft: F::zero(),
     }
 }

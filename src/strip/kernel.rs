@@ -10,13 +10,13 @@ use super::tables::{Closed, Constants, TableNode};
 use crate::number::Arithmetic;
 
 /// Least distance of the separatrix from the trailing edge.
-const LEAST: f64 = 1e-12;
+const LEAST_SEPARATRIX: f64 = 1e-12;
 /// Limit of the variation of slip over a strip's width, divided by the slip behind the separatrix.
 pub(super) const WIDEST: f64 = 1e3;
 /// Keeps roots of squares away from zero.
 const TINY: f64 = 1e-24;
 /// Spin beyond this is indistinguishable from sliding by spin alone.
-const LARGEST_SPIN: f64 = 1e5;
+const SPIN_LIMIT: f64 = 1e5;
 
 /// Creepage and spin of a strip, in units of its own friction bound.
 #[derive(Clone, Copy, Debug)]
@@ -72,7 +72,7 @@ impl<T: Arithmetic> Spin<T> {
     /// Computes all members from `σ`.
     #[inline(always)]
     pub fn new(sigma: T) -> Self {
-        let sigma = sigma.within(LARGEST_SPIN);
+        let sigma = sigma.within(SPIN_LIMIT);
         let square = sigma.squared();
         // r = σ/(1 + σ⁴)^{1/4}
         let root = square.squared().plus(1.0).inverse_root();
@@ -180,7 +180,7 @@ impl<T: Arithmetic> Separatrix<T> {
         } else {
             (x2 + y2) / sum
         };
-        let s = root.max(T::constant(LEAST)).min(T::constant(2.0));
+        let s = root.max(T::constant(LEAST_SEPARATRIX)).min(T::constant(2.0));
         // At the leading edge the derivative becomes zero.
         let z = s.plus(EDGE - 2.0);
         let s = if T::BRANCHES && !z.is_above(T::zero()) {

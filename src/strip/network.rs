@@ -11,16 +11,17 @@ const UNITS: usize = HIDDEN_OFFSET.len();
 const HALF: usize = UNITS / 2;
 const FEATURES: usize = HIDDEN.len();
 /// Features that depend on the contact alone: the axis ratio and Poisson's ratio.
-const FIXED: [usize; 2] = [3, 4];
+const FIXED_FEATURES: [usize; 2] = [3, 4];
 /// Features that depend on the motion as well.
-pub(super) const INPUTS: usize = FEATURES - FIXED.len();
+pub(super) const INPUTS: usize = FEATURES - FIXED_FEATURES.len();
 
-const OFFSETS: [[f32; UNITS]; 3] = [HIDDEN_OFFSET, HIDDEN[FIXED[0]], HIDDEN[FIXED[1]]];
+const OFFSETS: [[f32; UNITS]; 3] =
+    [HIDDEN_OFFSET, HIDDEN[FIXED_FEATURES[0]], HIDDEN[FIXED_FEATURES[1]]];
 const MOVING: [[f32; UNITS]; INPUTS] = {
     let mut rows = [[0.0; UNITS]; INPUTS];
     let (mut i, mut k) = (0, 0);
     while i < FEATURES {
-        if i != FIXED[0] && i != FIXED[1] {
+        if i != FIXED_FEATURES[0] && i != FIXED_FEATURES[1] {
             rows[k] = HIDDEN[i];
             k += 1;
         }

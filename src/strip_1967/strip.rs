@@ -297,7 +297,7 @@ impl<F: Float> Strip<F> {
                     slip_y: (beta_plus_psi - spin_within(self.psi)) * growth,
                     state: State::Slip,
                 }
-                .judged()
+                .classified()
             }
             Regime::Sliding { direction_x, direction_y } => StripPoint {
                 pressure,
@@ -308,14 +308,14 @@ impl<F: Float> Strip<F> {
                 slip_y: self.eta + self.psi * x - direction_y * x,
                 state: State::Slip,
             }
-            .judged(),
+            .classified(),
         }
     }
 }
 
 impl<F: Float> StripPoint<F> {
     /// Classifies slip: along the traction, or against it.
-    pub(crate) fn judged(mut self) -> Self {
+    pub(crate) fn classified(mut self) -> Self {
         if self.dissipation() < F::zero() {
             self.state = State::SlipNegativeDissipation;
         }

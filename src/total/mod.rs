@@ -61,7 +61,7 @@ const SPIN: f64 = 1.0 / (150.0 * 150.0 * 150.0 * 150.0);
 
 /// `S/|q|` in powers of `|q|` up to full sliding, lowest first. Printed by `fit/fit_total.py`:
 /// least maximum error of `S`, 1.5e-4, with the exact slope at 0 and slope zero at full sliding.
-const SATURATION: [f64; 6] = [
+const SATURATION_SERIES: [f64; 6] = [
     1.0,
     -0.26497443542200877,
     -0.016982827409411667,
@@ -145,14 +145,16 @@ impl<F: Real> Total<F> {
             contact: &Total<F> = self,
             creepage: [T; 3]
         ) -> Totals<T> {
-            contact.two_answers::<T, F::Four>(creepage)
+            contact.totals_in_registers::<T, F::Four>(creepage)
         } {
-            contact.two_answers::<T, F::WideRow>(creepage)
+            contact.totals_in_registers::<T, F::WideRow>(creepage)
         })
     }
 
     #[inline(always)]
-    fn two_answers<T: Number<Base = F>, P: Strips<F>>(&self, creepage: [T; 3]) -> Totals<T> {
+    fn totals_in_registers<T: Number<Base = F>, P: Strips<F>>(
+        &self, creepage: [T; 3],
+    ) -> Totals<T> {
         let one = T::one();
         let LinearCoefficients { c11, c22, c23, c33 } = self.linear;
         let [vx, vy, phi] = within_range(creepage, [c11, c22, self.spin_slope]);
@@ -271,7 +273,7 @@ fn saturation<T: Number>(q2: T, h: T) -> T {
     let q = q2.plus(1e-30).sqrt();
     let e = q.min(T::constant(FULL));
     let e2 = e.squared();
-    let [k0, k1, k2, k3, k4, k5] = SATURATION;
+    let [k0, k1, k2, k3, k4, k5] = SATURATION_SERIES;
     let low = e.times(k1).plus(k0) + e2 * e.times(k3).plus(k2);
     let s_over_q = low + e2.squared() * e.times(k5).plus(k4);
     s_over_q * (T::constant(FULL) / (q.max(T::constant(FULL)) * h))

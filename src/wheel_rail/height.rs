@@ -20,7 +20,7 @@ use crate::status::{Error, Warning};
 /// Largest number of heights that are tried.
 const HEIGHTS: u32 = 100;
 /// Largest factor by which the depth below the first touch grows in a step.
-const GROWTH: f64 = 4.0;
+const DEPTH_GROWTH: f64 = 4.0;
 /// Peak pressure over the shear modulus from which no wheel is supported: flanges have 0.05.
 const CRUSHED: f64 = 0.05;
 /// Hertz's approach over the wheel's radius from which no force is looked for.
@@ -213,12 +213,12 @@ impl<F: Float> Scene<'_, F> {
                 }
                 (Some((high, _)), None) => {
                     let from = high.max(touches);
-                    let farthest = from + (high - touches).max(expected) * F::of(GROWTH);
+                    let farthest = from + (high - touches).max(expected) * F::of(DEPTH_GROWTH);
                     let next = next.or(Some(touches + expected * per_normal));
                     next.filter(|next| *next > high).map_or(farthest, |next| next.min(farthest))
                 }
                 (None, Some((low, _))) => {
-                    let farthest = low - (touches - low).max(expected) * F::of(GROWTH);
+                    let farthest = low - (touches - low).max(expected) * F::of(DEPTH_GROWTH);
                     next.filter(|next| *next < low).map_or(farthest, |next| next.max(farthest))
                 }
                 (None, None) => return Ok((here, Warning::NotConverged)),

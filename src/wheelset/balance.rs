@@ -21,20 +21,20 @@ use crate::status::Error;
 use crate::wheel_rail::{BodyState, Requested, dot};
 
 /// Newton's steps of the heights, and halvings of a step.
-const STEPS: usize = 40;
+const HEIGHT_STEPS: usize = 40;
 const HALVINGS: usize = 8;
 /// Halvings of a change of the pitch rate, and the rest from which heights do not follow it.
-const SHORTER: usize = 12;
+const RATE_HALVINGS: usize = 12;
 const FAR: f64 = 0.3;
 /// Largest change of a wheel's height in a step \[m\].
-const FARTHEST: f64 = 1e-4;
+const LARGEST_HEIGHT_STEP: f64 = 1e-4;
 /// Rest of force and roll moment up to which the moment about the axle is that of balanced heights:
 /// the first bound, and the second times the root of the moment.
 const LOOSE: f64 = 0.05;
 const BY_ROOT: f64 = 0.1;
 /// Steps of the heights below these roundings of the radius end, if the rest is below this share.
-const ROUNDINGS: f64 = 64.0;
-const NEARLY: f64 = 0.01;
+const HEIGHT_ROUNDINGS: f64 = 64.0;
+const REST_LEFT: f64 = 0.01;
 
 /// A wheelset under loads.
 pub(super) struct Loaded<'s, 'a, F> {
@@ -82,7 +82,7 @@ impl<F: Float> Balance<F> {
 
 impl<F: Float> Loaded<'_, '_, F> {
     /// The rest that is balance.
-    pub fn least() -> F {
+    pub fn balanced_rest() -> F {
         F::EPSILON.cube_root().squared()
     }
 
@@ -192,7 +192,7 @@ impl<F: Float> Loaded<'_, '_, F> {
     /// Changes the pitch rate of a balance and lets the heights follow; by less where they would
     /// have to go far or find no balance.
     pub fn followed(&mut self, here: &Balance<F>, mut more: F) -> Result<Balance<F>, Error> {
-        for _ in 0..SHORTER {
+        for _ in 0..RATE_HALVINGS {
             let next = self.moved(here, F::one(), more);
             if let Ok(found) = self.at(&next)
                 && found.rest < F::of(FAR)
@@ -207,14 +207,15 @@ impl<F: Float> Loaded<'_, '_, F> {
 
     /// Newton's method from a state, by steps that lessen the rest of force and roll moment.
     fn balanced(&mut self, mut here: Balance<F>, is_exact: bool) -> Result<Balance<F>, Error> {
-        for _ in 0..STEPS {
+        for _ in 0..HEIGHT_STEPS {
             let loose = here.moment.abs().sqrt().times(BY_ROOT).min(F::of(LOOSE));
             let enough = if is_exact { F::zero() } else { loose };
-            if here.rest <= enough.max(Self::least()) || self.is_rounding(&here, 1.0) {
+            if here.rest <= enough.max(Self::balanced_rest()) || self.is_rounding(&here, 1.0) {
                 return Ok(here);
             }
             let Some(next) = self.closer(&here) else {
-                let is_close = here.rest < F::of(NEARLY) && self.is_rounding(&here, ROUNDINGS);
+                let is_close =
+                    here.rest < F::of(REST_LEFT) && self.is_rounding(&here, HEIGHT_ROUNDINGS);
                 Error::WheelLifted.unless(is_close)?;
                 return self.at(&here.state);
             };
@@ -225,7 +226,7 @@ impl<F: Float> Loaded<'_, '_, F> {
 
     /// A state with less rest of force and roll moment.
     fn closer(&mut self, here: &Balance<F>) -> Option<Balance<F>> {
-        let mut share = (F::of(FARTHEST) / here.farthest()).min(F::one());
+        let mut share = (F::of(LARGEST_HEIGHT_STEP) / here.farthest()).min(F::one());
         let whole = self.moved(here, share, F::zero());
         if let Ok(next) = self.at(&whole)
             && next.rest < here.rest

@@ -20,12 +20,12 @@ use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::{Position, sine_cosine};
 
 /// Number of places in half a wave.
-const PLACES: i32 = 128;
-const EACH: f64 = core::f64::consts::PI / PLACES as f64;
+const WAVE_PLACES: i32 = 128;
+const EACH: f64 = core::f64::consts::PI / WAVE_PLACES as f64;
 /// Steps of the search for the middle of the motion.
 const BISECTIONS: usize = 60;
 /// Roundings of the largest possible work that a work of zero may have.
-const ROUNDING: f64 = 64.0;
+const WORK_ROUNDING: f64 = 64.0;
 /// How often a wheel is lowered onto its rail, and how often the roll follows the wheels.
 const LOWERINGS: usize = 24;
 const ROLLS: usize = 6;
@@ -167,7 +167,7 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
         let [left, right] = [middle - amplitude, middle + amplitude];
         let rounding = self.rounding(amplitude);
         let mut sum = F::zero();
-        for k in 0..PLACES {
+        for k in 0..WAVE_PLACES {
             let angle = F::widened(k as f32).plus(0.5).times(EACH);
             // the angle is at most 1.6
             let (sine, cosine) = sine_cosine(angle.plus(-core::f64::consts::FRAC_PI_2));
@@ -196,7 +196,7 @@ impl<'a, F: Float> RadiusDifference<'a, F> {
     /// By how much rounding may change the work of a motion.
     fn rounding(&self, amplitude: F) -> F {
         let largest = self.differences.iter().fold(F::zero(), |most, own| most.max(own.abs()));
-        amplitude * largest * F::EPSILON.times(ROUNDING)
+        amplitude * largest * F::EPSILON.times(WORK_ROUNDING)
     }
 
     /// The middle of the motion: as much work from there to one end as to the other.

@@ -22,21 +22,21 @@ use heapless::Vec;
 /// Largest number of pitch rates at which the wheelset is balanced.
 const RATES: usize = 100;
 /// Largest first change of the rim's speed, over the rolling speed, and at standstill \[m/s\].
-const SLIP: f64 = 0.02;
+const FIRST_SLIP: f64 = 0.02;
 const SLOW_SLIP: f64 = 0.02;
 /// Speed of the rim over the rolling speed and 1 m/s up to which the moment is searched.
 const FASTEST: f64 = 1e3;
 /// Steps in which the largest moment of falling friction is searched.
 const CRESTS: usize = 24;
 /// Moment over its scale that is left where the pitch rates of a bracket are neighbours.
-const NEARLY: f64 = 0.01;
+const MOMENT_LEFT: f64 = 0.01;
 /// Least share of the load that a wheel is taken to carry at the beginning.
-const LEAST: f64 = 0.02;
+const LEAST_SHARE: f64 = 0.02;
 /// How often both heights are found for the wheels' loads, and the change that ends this \[m\].
 const PASSES: usize = 16;
 const STAYS: f64 = 1e-6;
 /// Pitch rates at which a search begins: that of the mean radius, and those of all contacts.
-const STARTS: usize = 1 + 2 * KSTRIP_CONTACTS_CAPACITY;
+const FIRST_RATES: usize = 1 + 2 * KSTRIP_CONTACTS_CAPACITY;
 
 /// Loads of the vehicle and of gravity on a wheelset that does not accelerate.
 #[repr(C)]
@@ -82,12 +82,12 @@ impl<F: Float> Wheelset<'_, F> {
         let [right, _] = self.scenes;
         let supports = self.sides.map(|side| {
             let carried = vertical.times(0.5) + roll / side.arm.times(2.0);
-            carried.max(vertical.times(LEAST))
+            carried.max(vertical.times(LEAST_SHARE))
         });
         let (position, radii) = self.carried(&start.position, supports, memory)?;
         let radius = radii.into_iter().fold(F::zero(), |sum, own| sum + own.times(0.5));
         let speed = start.velocity.forward + right.pair.rail_speed;
-        let mut rates = Vec::<F, STARTS>::new();
+        let mut rates = Vec::<F, FIRST_RATES>::new();
         let own = Velocity { pitch: F::zero(), ..start.velocity }.members();
         let first = -speed / radius;
         let of_contacts = self.sides.iter().zip(&memory.wheel).flat_map(|(side, memory)| {
@@ -97,7 +97,7 @@ impl<F: Float> Wheelset<'_, F> {
                 -slip / at(&contact.slip_x, 4)
             })
         });
-        rates.extend(core::iter::once(first).chain(of_contacts).take(STARTS));
+        rates.extend(core::iter::once(first).chain(of_contacts).take(FIRST_RATES));
         let loads = [vertical, roll, pitch];
         let loaded = Loaded { wheelset: self, loads, memory, width, radius, may_lift: false };
         let mut search = PitchSearch { loaded, speed: speed.abs() };
@@ -194,10 +194,10 @@ impl<F: Float> PitchSearch<'_, '_, F> {
         let radius = self.loaded.radius;
         let mut here = self.loaded.balanced_at(start, false)?;
         let first = here.state;
-        let pressed = self.loaded.moment_of_pressure().times(2.0) + Loaded::<F>::least();
+        let pressed = self.loaded.moment_of_pressure().times(2.0) + Loaded::<F>::balanced_rest();
         let is_balanced_by_pressure = here.moment.abs() <= pressed;
         let farthest = self.speed.plus(1.0).times(FASTEST) / radius;
-        let first_step = self.speed.times(SLIP).plus(SLOW_SLIP) / radius;
+        let first_step = self.speed.times(FIRST_SLIP).plus(SLOW_SLIP) / radius;
         let mut visited = PitchRates {
             below: None,
             above: None,
@@ -212,7 +212,7 @@ impl<F: Float> PitchSearch<'_, '_, F> {
                 return Ok(settled(&here, Warning::None));
             }
             let Some(step) = visited.next_step(&here) else {
-                let is_close = here.moment.abs() < F::of(NEARLY);
+                let is_close = here.moment.abs() < F::of(MOMENT_LEFT);
                 let warning = if is_close { Warning::None } else { Warning::NotConverged };
                 return Ok(settled(&here, warning));
             };
@@ -233,7 +233,7 @@ impl<F: Float> PitchSearch<'_, '_, F> {
 
     /// Whether the rest is none, or the next steps are roundings.
     fn is_settled(&self, here: &Balance<F>) -> bool {
-        let least = Loaded::<F>::least();
+        let least = Loaded::<F>::balanced_rest();
         let rim = (here.moment / here.slope).abs() * self.loaded.radius;
         let is_rounding = rim <= self.speed.plus(SLOW_SLIP) * F::EPSILON;
         (here.rest <= least || self.loaded.is_rounding(here, 1.0))

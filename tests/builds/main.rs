@@ -5,6 +5,7 @@ mod cpp_programs;
 mod docs;
 mod firmware;
 mod fortran;
+mod names;
 mod no_alloc;
 mod other_languages;
 mod packaging;

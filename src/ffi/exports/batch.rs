@@ -4,7 +4,7 @@ use super::F;
 use crate::batch::{differentiate_batch, solve_batch, solve_under_friction};
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::ffi::support::{answer, for_forces, given, is_aligned, put, read};
+use crate::ffi::support::{for_forces, given, is_aligned, put, read, status_of};
 use crate::ffi::types::{BatchInputs, BatchOutputs, kstrip_options};
 use crate::forces::Solution;
 use crate::status::{Error, kstrip_status};
@@ -35,7 +35,7 @@ pub unsafe extern "C" fn kstrip_evaluate_batch(
     outputs: Option<&BatchOutputs<F>>, first_bad: Option<&mut MaybeUninit<u32>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL, or valid for count elements at its distances, says the header.
-    answer(|| unsafe {
+    status_of(|| unsafe {
         let (inputs, outputs, options) = (given(inputs)?, given(outputs)?, &for_forces(options)?);
         let complete = inputs.required().iter().all(|(first, _)| !first.is_null());
         Error::NullPointer.unless(count == 0 || complete)?;

@@ -4,7 +4,7 @@ use super::F;
 use crate::contact::hertz::{HertzContact, Radii};
 use crate::contact::material::{self, CombinedMaterial, Material};
 use crate::contact::{Contact, from_approach, from_hertz};
-use crate::ffi::support::{fill, fill_warned, given, place, put};
+use crate::ffi::support::{given, place, put, write_result, write_warned};
 use crate::linear::LinearCoefficients;
 use crate::status::{Error, kstrip_status};
 use core::mem::MaybeUninit;
@@ -22,7 +22,7 @@ pub extern "C" fn kstrip_material_combine(
     lower: Option<&Material<F>>, upper: Option<&Material<F>>,
     combined: Option<&mut MaybeUninit<CombinedMaterial<F>>>,
 ) -> kstrip_status {
-    fill(combined, || material::combine(given(lower)?, given(upper)?))
+    write_result(combined, || material::combine(given(lower)?, given(upper)?))
 }
 
 /// The contact of two bodies that a load presses together (Hertz).
@@ -47,7 +47,7 @@ pub extern "C" fn kstrip_contact_from_hertz(
     contact: Option<&mut MaybeUninit<Contact<F>>>,
     ellipse: Option<&mut MaybeUninit<HertzContact<F>>>,
 ) -> kstrip_status {
-    fill_warned(contact, || {
+    write_warned(contact, || {
         let (found, hertz, warning) = from_hertz(given(radii)?, given(pair)?, load, friction)?;
         put(ellipse, hertz);
         Ok((found, warning))
@@ -70,7 +70,7 @@ pub extern "C" fn kstrip_contact_from_approach(
     radii: Option<&Radii<F>>, pair: Option<&CombinedMaterial<F>>, approach: F, friction: F,
     contact: Option<&mut MaybeUninit<Contact<F>>>, dload_dapproach: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    fill_warned(contact, || {
+    write_warned(contact, || {
         let (found, slope, warning) =
             from_approach(given(radii)?, given(pair)?, approach, friction)?;
         put(dload_dapproach, slope);
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn kstrip_linear_coefficients(
 ) -> kstrip_status {
     // SAFETY: NULL or four writable numbers, says the header.
     let coefficients = unsafe { place(coefficients.cast::<[F; 4]>()) };
-    fill(coefficients, || {
+    write_result(coefficients, || {
         Error::NotFinite.unless(axis_ratio.is_finite())?;
         Error::SemiAxis.unless(axis_ratio > 0.0)?;
         material::check_poisson_ratio(poisson_ratio)?;

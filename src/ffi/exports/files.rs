@@ -1,7 +1,7 @@
 //! Profiles from the text of a file, and between two slices.
 
 use super::F;
-use crate::ffi::support::{answer, given, input, output, put};
+use crate::ffi::support::{given, input, output, put, status_of};
 use crate::profile_file::ProfileFile;
 use crate::status::{Error, kstrip_status};
 use crate::wheel_rail::profile::PreparedProfile;
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn kstrip_read_profile(
     // SAFETY: NULL or as many elements as length and capacity say, says the header.
     let (text, y, z) =
         unsafe { (input(text.cast::<u8>(), length), output(y, capacity), output(z, capacity)) };
-    answer(|| {
+    status_of(|| {
         let (text, y, z, count) = (text?, y?, z?, given(count)?);
         let file = ProfileFile::<F>::open(text, format, capacity as usize)?;
         let cleared = [y, z].map(|list| {
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn kstrip_profile_between(
     };
     // SAFETY: NULL or a profile, says the header; the slices are not used any more.
     let between = unsafe { between.as_mut() };
-    answer(|| {
+    status_of(|| {
         let between = given(between)?;
         line?.prepare(between)
     })

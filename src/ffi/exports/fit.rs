@@ -3,7 +3,7 @@
 use super::F;
 use crate::contact::Contact;
 use crate::ffi::constants::KSTRIP_FIT_LAYER;
-use crate::ffi::support::{answer, for_forces, given, input, put};
+use crate::ffi::support::{for_forces, given, input, put, status_of};
 use crate::ffi::types::kstrip_options;
 use crate::friction::SlipFriction;
 use crate::rig;
@@ -50,7 +50,7 @@ pub unsafe extern "C" fn kstrip_fit_friction(
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
     let points = unsafe { input(points, count) };
-    answer(|| {
+    status_of(|| {
         let (contact, start, fit) = (given(contact)?, given(start)?, given(fit)?);
         let (points, options) = (points?, for_forces(options)?);
         // The KSTRIP_FIT constants are the bits in the order of the parameters.

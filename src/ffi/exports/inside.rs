@@ -3,7 +3,7 @@
 use super::F;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::ffi::support::{answer, for_strips, given, input, output};
+use crate::ffi::support::{for_strips, given, input, output, status_of};
 use crate::ffi::types::kstrip_options;
 use crate::forces::field::FieldPoint;
 use crate::friction::SlipFriction;
@@ -38,7 +38,7 @@ pub unsafe extern "C" fn kstrip_field(
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
     let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
-    answer(|| {
+    status_of(|| {
         let (contact, creepage, options) =
             (given(contact)?, given(creepage)?, for_strips(options)?);
         let field = LawField::new(contact, creepage, friction, &options)?;

@@ -4,7 +4,7 @@ use super::{
     F, kstrip_height_for_load, kstrip_wheel_on_rail, kstrip_wheelset_on_track,
     kstrip_wheelset_settle,
 };
-use crate::ffi::support::{Strided, answer, each_element, element, given};
+use crate::ffi::support::{Strided, each_element, element, given, status_of};
 use crate::ffi::types::{Track, WheelsetParts};
 use crate::friction::SlipFriction;
 use crate::patch::PatchStrip;
@@ -57,7 +57,7 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
     by_position: *mut WrenchByPosition<F>, contacts: *mut WheelContact<F>, room: u32,
     statuses: *mut kstrip_status,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
         let pairs = Strided::required(pairs, pair_stride, count)?;
         let positions = Strided::required(positions, position_stride, count)?;
@@ -125,7 +125,7 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
     velocity_stride: u32, friction: *const SlipFriction<F>, friction_stride: u32,
     workspace: Option<&mut Workspace<F>>, verticals: *mut F, statuses: *mut kstrip_status,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
         let pairs = Strided::required(pairs, pair_stride, count)?;
         let positions = Strided::required(positions, position_stride, count)?;
@@ -171,7 +171,7 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
     forces: *mut WheelsetForces<F>, derivatives: *mut WheelsetDerivatives<F>,
     by_position: *mut WheelsetByPosition<F>, statuses: *mut kstrip_status,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);
         let positions = Strided::required(positions, position_stride, count)?;
         let velocities = Strided::required(velocities, velocity_stride, count)?;
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn kstrip_wheelsets_settle(
     workspace: Option<&mut WheelsetWorkspace<F>>, positions: *mut Position<F>,
     moves: *mut Velocity<F>, forces: *mut WheelsetForces<F>, statuses: *mut kstrip_status,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (set, track, memory) = (given(set)?, given(track)?, given(workspace)?);
         let starts = Strided::required(starts, start_stride, count)?;
         let velocities = Strided::required(velocities, velocity_stride, count)?;

@@ -3,7 +3,7 @@
 use super::F;
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, SurfaceVelocity};
-use crate::ffi::support::{fill, given};
+use crate::ffi::support::{given, write_result};
 use crate::ffi::types::KalkerParameters;
 use crate::number::are_finite;
 use crate::status::{Error, kstrip_status};
@@ -24,7 +24,9 @@ pub extern "C" fn kstrip_creepage_from_velocities(
     lower: Option<&SurfaceVelocity<F>>, upper: Option<&SurfaceVelocity<F>>, rolling_speed: F,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
-    fill(creepage, || Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed))
+    write_result(creepage, || {
+        Creepage::from_velocities(given(lower)?, given(upper)?, rolling_speed)
+    })
 }
 
 /// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is
@@ -36,7 +38,7 @@ pub extern "C" fn kstrip_parameters_from_creepage(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
     parameters: Option<&mut MaybeUninit<KalkerParameters<F>>>,
 ) -> kstrip_status {
-    fill(parameters, || {
+    write_result(parameters, || {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
         contact.check()?;
         creepage.check()?;
@@ -59,7 +61,7 @@ pub extern "C" fn kstrip_creepage_from_parameters(
     contact: Option<&Contact<F>>, parameters: Option<&KalkerParameters<F>>,
     creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
-    fill(creepage, || {
+    write_result(creepage, || {
         let contact = given(contact)?;
         contact.check()?;
         let KalkerParameters { xi, eta, psi } = *given(parameters)?;

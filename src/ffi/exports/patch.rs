@@ -4,7 +4,7 @@ use super::F;
 use super::inside::FieldGrid;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::ffi::support::{answer, fill, for_strips, given, input, put, strip_count};
+use crate::ffi::support::{for_strips, given, input, put, status_of, strip_count, write_result};
 use crate::ffi::types::{Outputs, PatchSummary, ProfileOptions, ProfilePoints, kstrip_options};
 use crate::forces::field::FieldPoint;
 use crate::friction::SlipFriction;
@@ -36,7 +36,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
     profile: Option<&ProfilePoints<F>>, contact: Option<&ProfileOptions<F>>,
     patch: Option<&mut MaybeUninit<Patch<F>>>, result: Option<&mut MaybeUninit<Indentation<F>>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (profile, contact, patch) = (given(profile)?, given(contact)?, given(patch)?);
         let ProfilePoints { y, distance, centre_x, rolling_radius, points, .. } = *profile;
         // SAFETY: NULL or as many elements as points says, says the header.
@@ -97,7 +97,7 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
     let strips = unsafe { input(strips, count) };
-    fill(patch, || Patch::from_strips(strips?, shear_modulus, poisson_ratio))
+    write_result(patch, || Patch::from_strips(strips?, shear_modulus, poisson_ratio))
 }
 
 /// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
@@ -117,7 +117,7 @@ pub extern "C" fn kstrip_patch_from_contact(
     contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
     patch: Option<&mut MaybeUninit<Patch<F>>>,
 ) -> kstrip_status {
-    fill(patch, || Patch::from_ellipse(given(contact)?, for_strips(options)?.strips))
+    write_result(patch, || Patch::from_ellipse(given(contact)?, for_strips(options)?.strips))
 }
 
 /// Load, friction bound, area and lobes of a patch; checks it without solving.
@@ -130,7 +130,7 @@ pub extern "C" fn kstrip_patch_from_contact(
 pub extern "C" fn kstrip_patch_summarize(
     patch: Option<&Patch<F>>, summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
 ) -> kstrip_status {
-    fill(summary, || {
+    write_result(summary, || {
         let view = given(patch)?.view()?;
         Ok(PatchSummary {
             normal_force: view.normal_force(),
@@ -180,7 +180,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     options: Option<&kstrip_options>, outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    answer(|| unsafe {
+    status_of(|| unsafe {
         evaluate_patch(given(patch)?, (given(creepage)?, &[]), friction, options, given(outputs)?)
     })
 }
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
     // SAFETY: NULL or as many elements as the patch has strips, says the header.
     let own = if own.is_null() { Ok(&[][..]) } else { unsafe { input(own, strips) } };
     // SAFETY: every pointer is NULL or valid, says the header.
-    answer(|| unsafe {
+    status_of(|| unsafe {
         evaluate_patch(given(patch)?, (given(creepage)?, own?), friction, options, given(outputs)?)
     })
 }
@@ -231,7 +231,7 @@ pub unsafe extern "C" fn kstrip_patch_field(
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as the counts say, says the header.
     let grid = unsafe { FieldGrid::new((x, columns), (y, rows), (points, capacity)) };
-    answer(|| {
+    status_of(|| {
         let (patch, creepage, options) = (given(patch)?, given(creepage)?, for_strips(options)?);
         let view = patch.view()?;
         let field = PatchField::new(&view, creepage, friction, options.model)?;

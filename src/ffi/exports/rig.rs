@@ -4,7 +4,7 @@ use super::F;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::ffi::constants::{KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY};
-use crate::ffi::support::{fill_warned, for_forces, given};
+use crate::ffi::support::{for_forces, given, write_warned};
 use crate::ffi::types::kstrip_options;
 use crate::friction::SlipFriction;
 use crate::rig::{self, FrictionEstimate, Measured};
@@ -50,7 +50,7 @@ pub extern "C" fn kstrip_estimate_friction(
     friction: Option<&SlipFriction<F>>, options: Option<&kstrip_options>, measured: u32, fx: F,
     fy: F, estimate: Option<&mut MaybeUninit<FrictionEstimate<F>>>,
 ) -> kstrip_status {
-    fill_warned(estimate, || {
+    write_warned(estimate, || {
         let (contact, creepage) = (given(contact)?, given(creepage)?);
         let options = for_forces(options)?;
         // What was not measured may be anything.
@@ -89,7 +89,7 @@ pub extern "C" fn kstrip_creepage_for_force(
     contact: Option<&Contact<F>>, fx: F, fy: F, spin: F, friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>, creepage: Option<&mut MaybeUninit<Creepage<F>>>,
 ) -> kstrip_status {
-    fill_warned(creepage, || {
+    write_warned(creepage, || {
         rig::creepage_for_force(given(contact)?, [fx, fy], spin, friction, &for_forces(options)?)
     })
 }

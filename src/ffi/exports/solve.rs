@@ -4,8 +4,8 @@ use super::F;
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::ffi::support::{
-    Output, answer, fill, for_forces, for_strips, given, given_by, output, place, put, solved,
-    strip_count,
+    Output, for_forces, for_strips, given, given_by, output, place, put, status_of, strip_count,
+    write_result, write_solution,
 };
 use crate::ffi::types::{MotionOutputs, Outputs, kstrip_options};
 use crate::forces::derivatives::Derivatives;
@@ -43,7 +43,7 @@ pub extern "C" fn kstrip_solve(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, options: Option<&kstrip_options>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let place = given(result)?;
         let (contact, creepage) = (given(contact)?, given(creepage)?);
         Ok(write_forces(contact, creepage, &for_forces(options)?, place)?.warning)
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
     outputs: Option<&Outputs<F>>,
 ) -> kstrip_status {
     // SAFETY: every pointer is NULL or valid, says the header.
-    answer(|| unsafe {
+    status_of(|| unsafe {
         evaluate(given(contact)?, given(creepage)?, friction, options, given(outputs)?)
     })
 }
@@ -97,7 +97,7 @@ pub extern "C" fn kstrip_prepare(
     contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
     prepared: Option<&mut MaybeUninit<Prepared<F>>>,
 ) -> kstrip_status {
-    fill(prepared, || Prepared::new(given(contact)?, &for_forces(options)?))
+    write_result(prepared, || Prepared::new(given(contact)?, &for_forces(options)?))
 }
 
 /// kstrip_solve() for a prepared contact: the same result, bit for bit.
@@ -111,7 +111,7 @@ pub extern "C" fn kstrip_solve_prepared(
     prepared: Option<&Prepared<F>>, creepage: Option<&Creepage<F>>,
     result: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    solved(result, || given(prepared)?.solve(given(creepage)?))
+    write_solution(result, || given(prepared)?.solve(given(creepage)?))
 }
 
 /// Forces of a contact that rolls forward, backward, or not at all, with derivatives with respect
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn kstrip_solve_motion(
     contact: Option<&Contact<F>>, motion: Option<&Motion<F>>, friction: Option<&SlipFriction<F>>,
     options: Option<&kstrip_options>, outputs: Option<&MotionOutputs<F>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (contact, motion, outputs) = (given(contact)?, given(motion)?, given(outputs)?);
         let options = &for_forces(options)?;
         // SAFETY: every pointer is NULL or valid, says the header.
@@ -214,7 +214,7 @@ pub extern "C" fn kstrip_solve_linear(
 pub extern "C" fn kstrip_result_on_upper_body(
     lower: Option<&MaybeUninit<Solution<F>>>, upper: Option<&mut MaybeUninit<Solution<F>>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (lower, upper) = (given(lower)?, given(upper)?);
         *upper = *lower;
         let upper = upper.as_mut_ptr();
@@ -234,7 +234,7 @@ fn solved_by<M: Theory<F>>(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, strips: i32,
     result: Output<Solution<F>>,
 ) -> kstrip_status {
-    solved(result, || {
+    write_solution(result, || {
         let options = Options { strips: strip_count(strips)?, ..Options::default() };
         solution_of::<_, M>(given(contact)?, given(creepage)?, &options)
     })

@@ -2,7 +2,7 @@
 
 use super::F;
 use crate::ffi::support::{
-    answer, fill, for_strips, given, input, put, strip_count, with_requested,
+    for_strips, given, input, put, status_of, strip_count, with_requested, write_result,
 };
 use crate::ffi::types::kstrip_options;
 use crate::forces::Model;
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 ) -> kstrip_status {
     // SAFETY: NULL or as many elements as points says, says the header.
     let (y, z) = unsafe { (input(y, points), input(z, points)) };
-    answer(|| given(surface)?.prepare(y?, z?, step, smoothing_length))
+    status_of(|| given(surface)?.prepare(y?, z?, step, smoothing_length))
 }
 
 /// The gap between a wheel and a straight rail: the line on the wheel along which its normal is
@@ -82,7 +82,7 @@ pub extern "C" fn kstrip_touch(
     position: Option<&Position<F>>, reach: F, gap: Option<&mut Gap<F>>,
     least: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (rail, wheel, position) = (given(rail)?, given(wheel)?, given(position)?);
         let gap = given(gap)?;
         let search = GapSearch::new(rail, wheel, wheel_radius, position)?;
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
     // SAFETY: NULL or KSTRIP_CONTACTS_CAPACITY elements, says the header.
     let contacts =
         unsafe { contacts.cast::<[WheelContact<F>; KSTRIP_CONTACTS_CAPACITY]>().as_mut() };
-    answer(|| {
+    status_of(|| {
         let (gap, pair, position, whole) =
             (given(gap)?, given(pair)?, given(position)?, given(workspace)?);
         let (contacts, count) = (given(contacts)?, given(count)?);
@@ -144,7 +144,7 @@ pub extern "C" fn kstrip_wheel_motion(
     contact: Option<&WheelContact<F>>, velocity: Option<&Velocity<F>>,
     motion: Option<&mut MaybeUninit<Motion<F>>>,
 ) -> kstrip_status {
-    fill(motion, || given(contact)?.checked_motion(given(velocity)?))
+    write_result(motion, || given(contact)?.checked_motion(given(velocity)?))
 }
 
 /// Force and moment on the wheel from its contacts. The contacts may come from
@@ -173,7 +173,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ) -> kstrip_status {
     // SAFETY: NULL or count elements, says the header.
     let contacts = unsafe { input(contacts, count) };
-    answer(|| {
+    status_of(|| {
         let (contacts, velocity, out) = (contacts?, given(velocity)?, given(wrench)?);
         Error::PatchSize.unless(contacts.len() <= KSTRIP_CONTACTS_CAPACITY)?;
         let law = law_of(model, friction)?;
@@ -226,7 +226,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
     derivatives: Option<&mut MaybeUninit<WrenchDerivatives<F>>>,
     by_position: Option<&mut MaybeUninit<WrenchByPosition<F>>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(wrench)?);
@@ -267,7 +267,7 @@ pub extern "C" fn kstrip_height_for_load(
     velocity: Option<&Velocity<F>>, friction: Option<&SlipFriction<F>>,
     workspace: Option<&mut Workspace<F>>, vertical: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let scene = scene_of(rail, wheel, pair, friction)?;
         let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
         let (found, warning) = scene.height_for_load(position, support, velocity, memory)?;

@@ -3,7 +3,8 @@
 use super::F;
 use super::wheel_rail::{fits, scene_of};
 use crate::ffi::support::{
-    answer, each_element, element, fill, fill_warned, given, input, place, put, with_requested,
+    each_element, element, given, input, place, put, status_of, with_requested, write_result,
+    write_warned,
 };
 use crate::ffi::types::{Track, WheelsetParts};
 use crate::number::{Float, are_finite};
@@ -37,7 +38,7 @@ const CIRCLE_FROM_BACK: F = 70e-3;
 pub extern "C" fn kstrip_gauge_face(
     rail: Option<&PreparedProfile<F>>, depth: F, face: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
-    fill_warned(face, || gauge_face(given(rail)?, depth))
+    write_warned(face, || gauge_face(given(rail)?, depth))
 }
 
 /// Motion and weight in a curve. The axes of the track run along the curve with its speed, and turn
@@ -61,7 +62,7 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 ) -> kstrip_status {
     // SAFETY: NULL or three writable numbers, says the header.
     let weight = unsafe { place(weight.cast::<[F; 3]>()) };
-    answer(|| {
+    status_of(|| {
         let out = given(velocity)?;
         let (position, relative) = (given(position)?, given(relative)?);
         let (found, acceleration, warning) = given(curve)?.motion(position, relative)?;
@@ -198,7 +199,7 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
             let (shifts, memory) = (input(shifts, count)?, given(workspace)?);
             Error::NullPointer.unless(count == 0 || !differences.is_null())?;
             each_element(count, statuses, |i| {
-                fill(element(differences, i), || {
+                write_result(element(differences, i), || {
                     let shift = *given(shifts.get(i))?;
                     wheelset.rolling_radius_difference(shift, with_roll != 0, memory)
                 })
@@ -238,14 +239,14 @@ pub unsafe extern "C" fn kstrip_equivalent_conicity(
     // SAFETY: arrays are NULL or have as many elements as their counts say, says the header.
     let (shifts, differences, amplitudes) =
         unsafe { (input(shifts, count), input(differences, count), input(amplitudes, number)) };
-    answer(|| {
+    status_of(|| {
         let (radii, amplitudes) = (RadiusDifference::new(shifts?, differences?)?, amplitudes?);
         Error::NullPointer.unless(number == 0 || !conicities.is_null())?;
         check_circles(running_circles, wheel_radius)?;
         // SAFETY: the same.
         unsafe {
             each_element(number, statuses, |i| {
-                answer(|| {
+                status_of(|| {
                     let amplitude = *given(amplitudes.get(i))?;
                     let found = radii.wave(amplitude, running_circles, wheel_radius)?;
                     put(element(conicities, i), found.conicity);
@@ -266,7 +267,7 @@ unsafe fn on_track(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>,
     solve: impl FnOnce(&Wheelset<'_, F>) -> Result<Warning, Error>,
 ) -> kstrip_status {
-    answer(|| {
+    status_of(|| {
         let (set, track) = (given(set)?, given(track)?);
         // SAFETY: the promise of this function.
         let ([rail, other_rail], [wheel, other_wheel], [law, other_law]) = unsafe {

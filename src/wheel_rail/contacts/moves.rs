@@ -18,8 +18,8 @@
 use crate::normal::profile::{Moves, TOGETHER};
 use crate::number::{Float, at, length};
 use crate::wheel_rail::profile::PreparedProfile;
-use crate::wheel_rail::touch::line_of_contact::{FACTORS, Turn};
-use crate::wheel_rail::touch::under::UNDERCUT;
+use crate::wheel_rail::touch::foot::UNDERCUT;
+use crate::wheel_rail::touch::line_of_contact::{RADIUS_FACTORS, Turn};
 use crate::wheel_rail::{Position, sine_cosine};
 
 /// Roundings by which the last point of a gap may be off.
@@ -104,7 +104,7 @@ impl<'a, F: Float> PointMoves<'a, F> {
         let [_, by_y, by_z] = of([n_x, n_y, n_z]);
         let turned = by_z * normal_y - by_y * normal_z;
         let share = rolling_radius * cosine / radius;
-        let [least, largest] = FACTORS.map(F::of);
+        let [least, largest] = RADIUS_FACTORS.map(F::of);
         let is_free = sin_yaw != F::zero() && share > least && share < largest;
         let curved = if is_free {
             -(rolling_radius * (F::one() - share)).times(2.0) * cos_yaw / sin_yaw * self.side

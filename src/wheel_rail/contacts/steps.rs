@@ -7,7 +7,7 @@ use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
 use super::moves::PointMoves;
 use super::view::View;
 use super::{WheelContact, group_zones};
-use crate::normal::cells::{Cell, Cells};
+use crate::normal::cell::{Cell, Cells};
 use crate::normal::moving::Directed;
 use crate::normal::outline::with_cells;
 use crate::normal::profile::{DIRECTIONS, TOGETHER};

@@ -4,7 +4,7 @@
 use super::moves::{Lists, PointMoves};
 use crate::contact::totals::StripCount;
 use crate::normal::cells::{Cells, Given};
-use crate::normal::parabola::STEPS;
+use crate::normal::parabola::LEAST_SPACINGS;
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile, ProfileContact};
 use crate::number::{Dual, Float, add, are_finite, ascend, at};
@@ -28,14 +28,14 @@ const LARGEST_ANGLE: f64 = 2.3;
 
 /// Distance of the surfaces from which points do not count \[m\].
 fn counting<F: Float>(step: F, smoothing: F) -> F {
-    let length = step.times(STEPS).squared() + smoothing.squared();
+    let length = step.times(LEAST_SPACINGS).squared() + smoothing.squared();
     length.sqrt().times(FADES).min(F::of(REACH))
 }
 
 /// Distance of the surfaces from which points have no effect, at most: some points beyond the last
 /// one that counts are needed, because the smoothing length follows from their spacing \[m\].
 pub(crate) fn reach<F: Float>(step: F, smoothing: F) -> F {
-    (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::REACH))
+    (counting(step, smoothing) + step.times(MARGIN)).min(F::of(touch::DEFAULT_REACH))
 }
 
 /// A place on the undeformed surfaces.

@@ -6,12 +6,12 @@ use crate::status::Error;
 use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Points of a polyline: as many as a prepared profile has.
-pub(super) const CAPACITY: usize = KSTRIP_SURFACE_CAPACITY;
-/// First radius of a spine, as a share of the extent of the points.
+pub(super) const LINE_CAPACITY: usize = KSTRIP_SURFACE_CAPACITY;
+/// First radius of the line, as a share of the extent of the points.
 const FINEST: f64 = 1.0 / (KSTRIP_SURFACE_CAPACITY as f64 - 1.0);
 /// Growth of the radius from one attempt to the next. The last one is a twentieth of the extent.
 const COARSER: f64 = 1.5;
-const ATTEMPTS: i32 = 9;
+const RADII: i32 = 9;
 /// Largest sum of 1 − cos of the angles between neighbours: four right angles, and 11 degrees at
 /// each node. Points that scatter by a tenth of the radius or more exceed it.
 const CORNERS: f64 = 4.0;
@@ -20,10 +20,10 @@ const ROUGHNESS: f64 = 0.02;
 const STRAYS: usize = 128;
 
 /// A polyline with the length up to each of its points.
-pub(super) struct Polyline<F> {
-    pub points: [[F; 2]; CAPACITY],
+pub(super) struct CoarseLine<F> {
+    pub points: [[F; 2]; LINE_CAPACITY],
     /// Length up to the point \[m\], ascending.
-    pub lengths: [F; CAPACITY],
+    pub lengths: [F; LINE_CAPACITY],
     pub count: usize,
 }
 
@@ -50,7 +50,7 @@ impl<F: Float> NearestPoint<F> {
     }
 }
 
-impl<F: Float> Points<F> for Polyline<F> {
+impl<F: Float> Points<F> for CoarseLine<F> {
     fn count(&self) -> usize {
         self.count
     }
@@ -61,10 +61,10 @@ impl<F: Float> Points<F> for Polyline<F> {
     }
 }
 
-impl<F: Float> Polyline<F> {
+impl<F: Float> CoarseLine<F> {
     pub(super) fn new() -> Self {
         let none = F::zero();
-        Self { points: [[none; 2]; CAPACITY], lengths: [none; CAPACITY], count: 0 }
+        Self { points: [[none; 2]; LINE_CAPACITY], lengths: [none; LINE_CAPACITY], count: 0 }
     }
 
     /// Appends a point; false where there is no room.
@@ -96,7 +96,7 @@ impl<F: Float> Polyline<F> {
     /// the line has room and is smooth. Returns it.
     pub(super) fn follow(&mut self, y: &[F], z: &[F], extent: F) -> Result<F, Error> {
         let mut radius = extent.times(FINEST);
-        for _ in 0..ATTEMPTS {
+        for _ in 0..RADII {
             // in the opposite order a stray at the beginning is one at the end
             for backward in [false, true] {
                 let is_tried = !backward || y.len() >= STRAYS;

@@ -5,11 +5,11 @@ use crate::numerics::hermite::between_parabolas;
 use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Places of the curve between which the ends of chords are looked for: four for each chord.
-const PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
+const CHORD_PLACES: i32 = 4 * KSTRIP_SURFACE_CAPACITY as i32;
 /// Least number of chords.
 const FEWEST: i32 = 3;
 /// Rounds that find the end of a chord.
-const ROUNDS: i32 = 3;
+const CHORD_ROUNDS: i32 = 3;
 /// Rounds that make the last chord as long as the others, and the largest difference of a chord, as
 /// a share.
 const ROUNDS_OF_ALL: i32 = 5;
@@ -58,9 +58,9 @@ pub(super) trait Points<F: Float> {
         let end = |k: usize| self.get(k).map_or(F::zero(), |(length, _)| length);
         let count = self.count();
         let (from, to) = (end(0), end(count.saturating_sub(1)));
-        let each = (to - from) / F::widened(PLACES as f32);
+        let each = (to - from) / F::widened(CHORD_PLACES as f32);
         let mut k = 0;
-        (0..=PLACES).map(move |i| {
+        (0..=CHORD_PLACES).map(move |i| {
             let length = from + each * F::widened(i as f32);
             while k + 2 < count && self.get(k + 1).is_some_and(|(next, _)| next <= length) {
                 k += 1;
@@ -83,7 +83,7 @@ pub(super) trait Points<F: Float> {
         let count = chords.plus(0.5).whole().clamp(FEWEST, most);
         let whole = F::widened(count as f32);
         let mut length = wanted * (chords / whole);
-        // the largest difference of the last chord from the others, as a share
+        // the largest difference of a chord from the others, the last excepted, as a share
         let walk = |length: F| {
             let (mut begin, mut unequal) = (None::<[F; 2]>, F::zero());
             let chords = self.walk_in_chords(length, |k, end| {
@@ -121,7 +121,7 @@ pub(super) trait Points<F: Float> {
                 // the chord ends between the last place and this one
                 let (mut low, mut high, mut beyond) = ((before, gone), length, reached);
                 let mut last = place;
-                for _ in 0..ROUNDS {
+                for _ in 0..CHORD_ROUNDS {
                     let (from, gone) = low;
                     let share = (chord - gone) / (beyond - gone).max(F::TINY);
                     let middle = from + (high - from) * share.clamped(F::zero(), F::one());

@@ -174,7 +174,7 @@ impl<F: Float> PreparedProfile<F> {
 
     /// The curve at a share of the way from a point to the next; none past the last point.
     #[inline]
-    pub(crate) fn place(&self, k: usize, share: F) -> Option<CurvePoint<F>> {
+    pub(crate) fn curve_at(&self, k: usize, share: F) -> Option<CurvePoint<F>> {
         let from = self.point(k).filter(|_| k < self.count as usize)?;
         if share == F::zero() {
             return Some(from);

@@ -26,27 +26,27 @@ use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::scene::Scene;
 
 /// Sine of the angle below which a part is flat, and of that above which it is steep.
-const FLAT: f64 = 0.342;
-const STEEP: f64 = 0.7;
+const FLAT_SINE: f64 = 0.342;
+const STEEP_SINE: f64 = 0.7;
 /// Steep parts that are nearer to the height of the flat part do not count \[m\].
 const SHALLOW: f64 = 2e-3;
 /// Largest height of the rounded edge of a roller, and of flat parts above the tread \[m\].
-const EDGE: f64 = 8e-3;
+const ROUNDED_EDGE: f64 = 8e-3;
 /// Least depth of the tip of a flange below the tread, and of the sides of a rail head \[m\].
 const TIP: f64 = 15e-3;
 const HEAD: f64 = 8e-3;
 /// Largest distances of a wheel from its rail, and largest yaw or roll, of a wheel beside its rail
 /// \[m, rad\].
-const FARTHEST: [f64; 2] = [0.7, 5.0];
+const FARTHEST_WHEEL: [f64; 2] = [0.7, 5.0];
 const LARGEST_TURN: f64 = 0.2;
 /// Longest profile \[m\].
 const LONGEST: f64 = 1.0;
 /// Least shear modulus \[Pa\]: rubber has 5e5.
-const SOFTEST: f64 = 1e5;
+const LEAST_MODULUS: f64 = 1e5;
 /// Least width of a contact over the distance of the points of a profile.
 const NARROWEST: f64 = 4.0;
 /// Largest angle of a contact of a right wheel \[rad\]: its flange has -1.2.
-const LARGEST_ANGLE: f64 = 30.0 * core::f64::consts::PI / 180.0;
+const LARGEST_CONTACT_ANGLE: f64 = 30.0 * core::f64::consts::PI / 180.0;
 
 /// The profile cannot be that of a wheel.
 const NO_WHEEL: u32 = 1;
@@ -65,25 +65,25 @@ impl<F: Float> PreparedProfile<F> {
         let zero = F::zero();
         let point = |k: usize| self.point(k);
         let count = self.count as usize;
-        let is_flat = |place: &CurvePoint<F>| place.sine.abs() < F::of(FLAT);
+        let is_flat = |place: &CurvePoint<F>| place.sine.abs() < F::of(FLAT_SINE);
         let flat = || (0..count).filter_map(point).filter(is_flat);
         let Some((middle, z)) = self.longest_flat_part() else { return 0 };
         // height below the flat part, negative above; of the first steep place on each side
         let below = |place: CurvePoint<F>| place.z - z;
         let is_steep = |place: &CurvePoint<F>| {
-            place.sine.abs() > F::of(STEEP) && below(*place).abs() > F::of(SHALLOW)
+            place.sine.abs() > F::of(STEEP_SINE) && below(*place).abs() > F::of(SHALLOW)
         };
         let left = || (0..middle).rev().filter_map(point).filter(is_steep).map(below);
         let right = || (middle..count).filter_map(point).filter(is_steep).map(below);
         let [first_left, first_right] =
             [left().next(), right().next()].map(|first| first.unwrap_or(zero));
         let highest = left().chain(right()).fold(zero, F::min);
-        let has_top_above = flat().any(|place| below(place) < F::of(-EDGE));
+        let has_top_above = flat().any(|place| below(place) < F::of(-ROUNDED_EDGE));
         let (is_down, is_up) = (|side: F| side > zero, |side: F| side < zero);
         let has_flange = is_down(first_left);
         let has_edges = !is_down(first_right)
             && is_up(first_left) == is_up(first_right)
-            && highest > F::of(-EDGE);
+            && highest > F::of(-ROUNDED_EDGE);
         let has_sides = !is_up(first_left)
             && !is_up(first_right)
             && (is_down(first_left) || !is_down(first_right));
@@ -109,7 +109,7 @@ impl<F: Float> PreparedProfile<F> {
         for k in 0..self.count as usize {
             let place = self.point(k)?;
             let (first, points, sum) = own;
-            own = if place.sine.abs() < F::of(FLAT) && place.cosine > F::zero() {
+            own = if place.sine.abs() < F::of(FLAT_SINE) && place.cosine > F::zero() {
                 (first, points + 1, sum + place.z)
             } else {
                 (k + 1, 0, F::zero())
@@ -169,12 +169,12 @@ impl<F: Float> Cause<'_, F> {
         let is_long = |profile: &PreparedProfile<F>| profile.plausibility() == Warning::ProfileSize;
         let causes = [
             (yaw.abs().max(roll.abs()) > F::of(LARGEST_TURN), Error::Angle),
-            (lateral.abs() > F::of(FARTHEST[0]), Error::LengthUnit),
-            (vertical.abs() > F::of(FARTHEST[1]), Error::LengthUnit),
+            (lateral.abs() > F::of(FARTHEST_WHEEL[0]), Error::LengthUnit),
+            (vertical.abs() > F::of(FARTHEST_WHEEL[1]), Error::LengthUnit),
             (wheel_radius > F::of(LARGEST_RADIUS), Error::LengthUnit),
             (is_long(rail) || is_long(wheel), Error::LengthUnit),
             (
-                self.shear_modulus.is_some_and(|modulus| modulus < F::of(SOFTEST)),
+                self.shear_modulus.is_some_and(|modulus| modulus < F::of(LEAST_MODULUS)),
                 Error::ModulusUnit,
             ),
             (rail.form & HAS_FLANGE_TIP != 0 && wheel.form & IS_RAIL_HEAD != 0, Error::Swapped),
@@ -206,7 +206,7 @@ impl<F: Float> Scene<'_, F> {
             of_profiles
         } else if pair.wheel_radius > F::of(LARGEST_RADIUS) {
             Warning::Radius
-        } else if pair.shear_modulus < F::of(SOFTEST)
+        } else if pair.shear_modulus < F::of(LEAST_MODULUS)
             || pair.shear_modulus > F::of(LARGEST_MODULUS_OF_ANY_UNIT)
         {
             Warning::Modulus
@@ -218,7 +218,7 @@ impl<F: Float> Scene<'_, F> {
             Warning::Unset
         } else if contacts.iter().any(|contact| contact.peak_pressure() > pressure) {
             Warning::Pressure
-        } else if contacts.iter().any(|contact| contact.angle > F::of(LARGEST_ANGLE)) {
+        } else if contacts.iter().any(|contact| contact.angle > F::of(LARGEST_CONTACT_ANGLE)) {
             Warning::Orientation
         } else if contacts.iter().map(WheelContact::width).any(is_coarse) {
             Warning::ProfileCoarse

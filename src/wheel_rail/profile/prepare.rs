@@ -1,14 +1,14 @@
 //! From the points of a profile to points at equal steps of its length.
 //!
-//! 1. [The spine](Polyline::follow), a coarse polyline, gives each point its length along the
+//! 1. [A coarse line](CoarseLine::follow), of few pieces, gives each point its length along the
 //!    profile. Points are not assumed to ascend along it.
-//! 2. [Knots] are the points in ascending order of this length, averaged where they are crowded or
-//!    scatter, and smoothed where this is asked for.
-//! 3. A [curve](Points) leads through the knots, cubic between them.
+//! 2. [Averaged points](AveragedPoints) are the points in ascending order of this length, averaged
+//!    where they are crowded or scatter, and smoothed where this is asked for.
+//! 3. A [curve](Points) leads through the averages, cubic between them.
 //! 4. The prepared points are points of the curve at equal chords.
 
-use super::averaged_points::{Knots, SINGLE};
-use super::coarse_line::Polyline;
+use super::averaged_points::{AveragedPoints, SINGLE};
+use super::coarse_line::CoarseLine;
 use super::curve::{Chords, Points, distance};
 use super::plausibility::ROUGH_AND_COARSE;
 use super::{CurvePoint, PreparedProfile};
@@ -18,13 +18,13 @@ use crate::status::{Error, Warning};
 use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 
 /// Shortest extent of a profile, and largest coordinate \[m\].
-const SHORTEST: f64 = 1e-6;
-const LARGEST: f64 = 1e3;
+const SHORTEST_EXTENT: f64 = 1e-6;
+const LARGEST_COORDINATE: f64 = 1e3;
 /// Attempts with more and more smoothing until chords are equal.
-const ATTEMPTS: i32 = 12;
+const SMOOTHINGS: i32 = 12;
 /// Distance of given points over that of as many points as there is room for, from which a profile
 /// may be smoothed by default, and from which it is smoothed over six distances.
-const COARSE: [f64; 2] = [1.6, 2.2];
+const FAR_APART: [f64; 2] = [1.6, 2.2];
 const DISTANCES: f64 = 6.0;
 /// Distances of points over which a profile is smoothed to tell how rough it is.
 const TRIED: f64 = 4.0;
@@ -61,7 +61,7 @@ impl<F: Float> PreparedProfile<F> {
         Error::NotFinite.unless([y, z, &[step, smoothing_length]].into_iter().all(are_finite))?;
         Error::SmoothingLength.when(smoothing_length < F::zero())?;
         Error::Profile.when(step < F::zero())?;
-        let mut line = Polyline::new();
+        let mut line = CoarseLine::new();
         let radius = line.follow(y, z, extent(y, z)?)?;
         let most = KSTRIP_SURFACE_CAPACITY as i32 - 1;
         let room = F::widened(most as f32);
@@ -71,41 +71,41 @@ impl<F: Float> PreparedProfile<F> {
         // From here on nothing fails, and the surface is written.
         let is_reversed = line.is_reversed();
         let given = F::widened((y.len() - 1) as f32);
-        let mut knots = Knots::new(self);
+        let mut averages = AveragedPoints::new(self);
         let (mut smoothing, mut is_rough) = (smoothing_length, false);
-        let coarse = ramp(room / given, COARSE);
+        let coarse = ramp(room / given, FAR_APART);
         let is_tried = smoothing <= F::zero() && coarse > F::zero();
         if is_tried {
-            knots.collect_points(true, &line, radius, y, z);
-            (smoothing, is_rough) = default_smoothing(&knots, &mut line, length / given, coarse);
+            averages.collect_points(true, &line, radius, y, z);
+            (smoothing, is_rough) = default_smoothing(&averages, &mut line, length / given, coarse);
         }
         let mut chords = Chords { length: wanted, count: 3, are_equal: false };
         if !is_tried && smoothing <= F::zero() && y.len() + 2 <= SINGLE {
-            knots.collect_points(false, &line, radius, y, z);
-            chords = knots.equal_chords(wanted, most);
+            averages.collect_points(false, &line, radius, y, z);
+            chords = averages.equal_chords(wanted, most);
         }
         if chords.are_equal {
-            // (the knots stand where the points go)
+            // the averages stand where the points go
             line.count = 0;
-            knots.walk_in_chords(chords.length, |k, point| {
+            averages.walk_in_chords(chords.length, |k, point| {
                 line.count = line.count.min(k);
                 line.push(F::zero(), point);
             });
             let points = line.points.iter().take(line.count).enumerate();
-            points.for_each(|(k, point)| self.put(chords.count, is_reversed, k, *point));
+            points.for_each(|(k, point)| self.set_chord_end(chords.count, is_reversed, k, *point));
         } else {
             if !is_tried {
-                knots.collect_points(true, &line, radius, y, z);
+                averages.collect_points(true, &line, radius, y, z);
             }
-            for _ in 0..ATTEMPTS {
-                knots.smooth(smoothing, &mut line);
+            for _ in 0..SMOOTHINGS {
+                averages.smooth(smoothing, &mut line);
                 chords = line.equal_chords(wanted, most);
                 if chords.are_equal {
                     break;
                 }
                 smoothing = wanted.times(2.0).max(smoothing.times(1.5));
             }
-            let put = |k, point| self.put(chords.count, is_reversed, k, point);
+            let put = |k, point| self.set_chord_end(chords.count, is_reversed, k, point);
             line.walk_in_chords(chords.length, put);
         }
         self.step = chords.length;
@@ -117,7 +117,7 @@ impl<F: Float> PreparedProfile<F> {
     }
 
     /// Puts a point at the end of `k` chords, counted from the beginning or the end.
-    fn put(&mut self, chords: usize, is_reversed: bool, k: usize, [y, z]: [F; 2]) {
+    fn set_chord_end(&mut self, chords: usize, is_reversed: bool, k: usize, [y, z]: [F; 2]) {
         let k = k.min(chords);
         let k = if is_reversed { chords - k } else { k };
         self.set_point(k, CurvePoint { y, z, cosine: F::zero(), sine: F::zero() });
@@ -133,18 +133,18 @@ fn extent<F: Float>(y: &[F], z: &[F]) -> Result<F, Error> {
     });
     let [[left, right], [top, bottom]] = extents;
     let farthest = extents.iter().flatten().fold(F::zero(), |most, x| most.max(x.abs()));
-    Error::Overflow.when(farthest > F::of(LARGEST))?;
+    Error::Overflow.when(farthest > F::of(LARGEST_COORDINATE))?;
     let extent = distance([left, top], [right, bottom]);
-    Error::Overflow.when(extent < F::of(SHORTEST)).map(|()| extent)
+    Error::Overflow.when(extent < F::of(SHORTEST_EXTENT)).map(|()| extent)
 }
 
 /// The smoothing length of a profile of few points, so far apart, and whether between them lies
 /// what nobody measured; `coarse` is 0 to 1. The line is overwritten.
 fn default_smoothing<F: Float>(
-    knots: &Knots<F>, line: &mut Polyline<F>, apart: F, coarse: F,
+    averages: &AveragedPoints<F>, line: &mut CoarseLine<F>, apart: F, coarse: F,
 ) -> (F, bool) {
-    knots.smooth(apart.times(TRIED), line);
-    let [mean, farthest] = knots.distances(line);
+    averages.smooth(apart.times(TRIED), line);
+    let [mean, farthest] = averages.distances(line);
     let smoothing = apart.times(DISTANCES) * coarse * ramp(mean / apart, DRAWN);
     (smoothing, farthest > apart.times(ROUGH))
 }

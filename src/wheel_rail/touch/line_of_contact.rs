@@ -23,10 +23,10 @@ use crate::wheel_rail::profile::CurvePoint;
 use crate::wheel_rail::{Position, WheelPair, cross, sine_cosine};
 
 /// Least cosine of the profile's angle, and largest sine of θ, at which a wheel can touch.
-const STEEPEST: f64 = 0.06;
-const FARTHEST: f64 = 0.9;
+const LEAST_COSINE: f64 = 0.06;
+const LARGEST_THETA: f64 = 0.9;
 /// Bounds of the rolling radius over `r/cos α`.
-pub(crate) const FACTORS: [f64; 2] = [0.2, 5.0];
+pub(crate) const RADIUS_FACTORS: [f64; 2] = [0.2, 5.0];
 
 /// Sines and cosines of the roll and the yaw of a wheel.
 #[derive(Clone, Copy, Debug)]
@@ -169,7 +169,7 @@ impl<F: Float> Wheel<F> {
             let turn = |vector| self.turn.to_track(vector);
             sin = roller.sine(turn, [P::all(self.radius) + z, y], [cosine, sine], sin);
         }
-        let steep = (cosine - size.times(STEEPEST)).min(P::constant(FARTHEST) - sin.abs());
+        let steep = (cosine - size.times(LEAST_COSINE)).min(P::constant(LARGEST_THETA) - sin.abs());
         let cos = (P::one() - sin.squared()).sqrt();
         let (whole, turn) = (P::all(self.radius), self.turn);
         let radius = whole + z;
@@ -207,7 +207,7 @@ impl<F: Float> Wheel<F> {
         let radius = (P::all(self.radius) + z) * size * per_cosine;
         let square = (P::all(self.turn.yaw.0) * size * per_cosine).squared();
         let more = square * (curvature * radius - P::one());
-        let curved = more.plus(1.0).max(P::constant(1.0 / FACTORS[1]));
-        radius * curved.min(P::constant(1.0 / FACTORS[0])).inverse()
+        let curved = more.plus(1.0).max(P::constant(1.0 / RADIUS_FACTORS[1]));
+        radius * curved.min(P::constant(1.0 / RADIUS_FACTORS[0])).inverse()
     }
 }

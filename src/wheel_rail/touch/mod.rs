@@ -2,101 +2,31 @@
 //! distance of this line from the rail.
 //!
 //! The distance of a point is measured along the rail's normal, from the rail's point under it
-//! (`under`). No plane of contact needs to be chosen, and a flange at 70 degrees is treated like a
+//! (`foot`). No plane of contact needs to be chosen, and a flange at 70 degrees is treated like a
 //! tread.
 
+pub(super) mod foot;
+mod gap;
 pub(super) mod line_of_contact;
 pub(super) mod roller;
-pub(super) mod under;
 
+use self::foot::{Rail, UNDERCUT};
+pub use self::gap::Gap;
+use self::gap::GapPoint;
 use self::line_of_contact::Wheel;
-use self::under::{Rail, UNDERCUT};
 use crate::number::avx::with_avx;
-use crate::number::{Float, Strips, set_at};
+use crate::number::{Float, Strips};
 use crate::status::Error;
 use crate::wheel_rail::profile::{CurvePoint, PreparedProfile};
 use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
 use core::f64::consts::PI;
 
 /// Default of the distance above which points are left out \[m\].
-pub(super) const REACH: f64 = 2e-3;
+pub(super) const DEFAULT_REACH: f64 = 2e-3;
 /// Number of points that are searched side by side.
 const FOUR: usize = 4;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
 const PARTINGS: u32 = 22;
-
-/// The gap between a wheel and a rail, point by point along the rail. A host with its own search of
-/// contact fills it. The first count elements of each member are used.
-#[repr(C)]
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gap<F> {
-    /// Length on the rail's surface from any origin \[m\], ascending. A host that works in a plane
-    /// passes its coordinate in this plane.
-    pub along: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would
-    /// overlap.
-    pub distance: [F; KSTRIP_SURFACE_CAPACITY],
-    /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track
-    /// \[m\]: 0 without yaw.
-    pub x: [F; KSTRIP_SURFACE_CAPACITY],
-    /// y of this point \[m\].
-    pub y: [F; KSTRIP_SURFACE_CAPACITY],
-    /// z of this point \[m\], about the wheel's radius.
-    pub z: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about
-    /// -1.2 at the flange of a right wheel.
-    pub angle: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Radius of curvature of the wheel along x \[m\]. Without yaw R0 = r/cos a: distance from the
-    /// axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
-    /// R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
-    /// dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a
-    /// roller the curvatures of both add up, and angle and distance are those in the plane through
-    /// the roller's axis and the point.
-    pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Distance of the wheel's points \[m\], >= 0, over 2.5 of which surfaces are smoothed at
-    /// least; 0: that of the gap's points where the surfaces are near.
-    pub step: F,
-    /// Number of points.
-    pub count: u32,
-    /// Reserved: zero.
-    pub reserved: u32,
-}
-
-/// One point of a [`Gap`]: its members in their order.
-type GapPoint<F> = [F; 7];
-
-impl<F: Float> Gap<F> {
-    /// A gap without points.
-    pub(super) const fn nothing() -> Self {
-        let none = [F::ZERO; KSTRIP_SURFACE_CAPACITY];
-        Self {
-            along: none,
-            distance: none,
-            x: none,
-            y: none,
-            z: none,
-            angle: none,
-            rolling_radius: none,
-            step: F::ZERO,
-            count: 0,
-            reserved: 0,
-        }
-    }
-
-    /// The members, in their order.
-    pub(super) fn lists(&self) -> [&[F; KSTRIP_SURFACE_CAPACITY]; 7] {
-        let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
-        [along, distance, x, y, z, angle, rolling_radius]
-    }
-
-    fn set(&mut self, k: usize, point: &GapPoint<F>) {
-        let Self { along, distance, x, y, z, angle, rolling_radius, .. } = self;
-        let lists = [along, distance, x, y, z, angle, rolling_radius];
-        for (list, value) in lists.into_iter().zip(point) {
-            set_at(list, k, *value);
-        }
-    }
-}
 
 /// A right wheel over a rail, between which the gap is searched.
 #[derive(Clone, Copy)]
@@ -167,7 +97,7 @@ impl<F: Float> Above<'_, F> {
         let Position { lateral, vertical, .. } = *position;
         let zero = F::zero();
         // a lane without a place has one at which no wheel touches
-        let found = places.map(|(k, share)| wheel.place(k, share));
+        let found = places.map(|(k, share)| wheel.curve_at(k, share));
         let of = |member: fn(&CurvePoint<F>) -> F| {
             P::gather(|i| found.get(i).and_then(Option::as_ref).map_or(zero, member))
         };
@@ -183,16 +113,16 @@ impl<F: Float> Above<'_, F> {
         if self.rail.is_far(point) {
             return [None; FOUR];
         }
-        let mut under = [None; FOUR];
-        for (i, under) in under.iter_mut().enumerate() {
+        let mut pieces = [None; FOUR];
+        for (i, piece) in pieces.iter_mut().enumerate() {
             let own = |x: &P| x.lane(i);
             let ([y, z], [normal_y, normal_z]) = (&point, &line.normal);
             if own(&line.can_touch) > zero {
                 let (point, normal) = ([own(y), own(z)], [own(normal_y), own(normal_z)]);
-                *under = self.rail.under(point, normal, own(&line.size));
+                *piece = self.rail.piece_below(point, normal, own(&line.size));
             }
         }
-        if under.iter().all(Option::is_none) {
+        if pieces.iter().all(Option::is_none) {
             self.rail.set_free();
             return [None; FOUR];
         }
@@ -201,13 +131,13 @@ impl<F: Float> Above<'_, F> {
         let of_wheel = turned.rolling_radius(&profile, curvature);
         // 1/R = 1/R_wheel + 1/R_roller
         let rolling_radius = of_wheel * (of_wheel * line.curvature).plus(1.0).inverse();
-        let foot = self.rail.feet(point, &under);
+        let foot = self.rail.feet(point, &pieces);
         let [rail_y, rail_z] = foot.normal;
         // the mean of both surfaces' angles is that of the sum of their unit normals
         let (sum_y, sum_z) = (wheel_y + rail_y * line.size, wheel_z + rail_z * line.size);
         let mut found = [None; FOUR];
-        for ((i, found), under) in found.iter_mut().enumerate().zip(under) {
-            if under.is_none() {
+        for ((i, found), piece) in found.iter_mut().enumerate().zip(pieces) {
+            if piece.is_none() {
                 continue;
             }
             let own = |x: &P| x.lane(i);
@@ -273,7 +203,7 @@ impl<'a, F: Float> GapSearch<'a, F> {
     pub fn gap(&self, reach: F, gap: &mut Gap<F>) -> Result<F, Error> {
         Error::NotFinite.unless(reach.is_finite_number())?;
         let Self { rail, wheel, .. } = *self;
-        let reach = if reach > F::zero() { reach } else { F::of(REACH) };
+        let reach = if reach > F::zero() { reach } else { F::of(DEFAULT_REACH) };
         let rail = Rail::new(rail, reach);
         let mut above = Above { search: self, reach, rail };
         let points = wheel.count as usize;

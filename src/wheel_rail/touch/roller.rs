@@ -15,9 +15,9 @@ use crate::number::{Float, Strips, length};
 use crate::wheel_rail::{Position, WheelPair};
 
 /// Steps of Newton's method for the angle about the axle. Each doubles the number of digits.
-const STEPS: u32 = 4;
+const ANGLE_STEPS: u32 = 4;
 /// Largest sine of this angle, and least depth of the axis below a point over the roller's radius.
-const FARTHEST: f64 = 0.9;
+const LARGEST_SINE: f64 = 0.9;
 const LEAST_DEPTH: f64 = 0.1;
 
 /// A roller under a wheel.
@@ -68,7 +68,7 @@ impl<F: Float> Roller<F> {
     ) -> P {
         let zero = P::zero();
         let [ahead, centre] = self.axis().map(P::all);
-        for _ in 0..STEPS {
+        for _ in 0..ANGLE_STEPS {
             let cos = (P::one() - sin.squared()).sqrt();
             let falls = -(sin * cos.inverse());
             let [x, _, z] = turn([radius * sin, y, radius * cos]);
@@ -79,7 +79,7 @@ impl<F: Float> Roller<F> {
             let rest = n_x * d + n_z * q;
             let slope = n_x_by * d - n_x * z_by + n_z_by * q + n_z * x_by;
             let least = P::all(self.radius.times(LEAST_DEPTH)) * cosine.abs();
-            sin = (sin - rest * slope.max(least + P::tiny()).inverse()).within(FARTHEST);
+            sin = (sin - rest * slope.max(least + P::tiny()).inverse()).within(LARGEST_SINE);
         }
         sin
     }

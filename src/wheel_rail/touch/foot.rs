@@ -5,11 +5,11 @@ use crate::wheel_rail::profile::{Piece, PreparedProfile};
 
 /// Number of corrections of a place on the rail. Each doubles the number of correct digits. The
 /// last is smaller than this share of the way between two points.
-const CORRECTIONS: u32 = 4;
-const CLOSE: f64 = 1e-5;
+const FOOT_STEPS: u32 = 4;
+const FOOT_FOUND: f64 = 1e-5;
 
 /// Number of the rail's points from which the nearest is looked for.
-const COARSE: usize = 32;
+const SAMPLES: usize = 32;
 
 /// Least cosine of the angle between two surfaces that face each other.
 const FACING: f64 = 0.5;
@@ -83,7 +83,7 @@ impl<'a, F: Float> Rail<'a, F> {
 
     /// The nearest of the rail's points, and the square of its distance: downhill from the last,
     /// and at first from the nearest of some points.
-    fn find(&mut self, point: [F; 2]) -> Option<(usize, F)> {
+    fn nearest_point(&mut self, point: [F; 2]) -> Option<(usize, F)> {
         let count = self.surface.count as usize;
         let closer = |k: usize, best: F| {
             let away = self.away(k, point).filter(|away| k < count && *away < best)?;
@@ -92,7 +92,7 @@ impl<'a, F: Float> Rail<'a, F> {
         let mut best = match self.nearest {
             Some(k) => (k, self.away(k, point)?),
             None => {
-                let some = (0..count).step_by((count / COARSE).max(1));
+                let some = (0..count).step_by((count / SAMPLES).max(1));
                 some.fold((0, F::LARGEST), |best, k| closer(k, best.1).unwrap_or(best))
             }
         };
@@ -110,20 +110,20 @@ impl<'a, F: Float> Rail<'a, F> {
     /// Where the rail is under a point of a surface that faces it: between which point and the
     /// next, nearest to the share 0 or 1 of the way. None where the rail is out of reach. The
     /// normal of the surface has a length.
-    pub fn under(
+    pub fn piece_below(
         &mut self, [y, z]: [F; 2], [normal_y, normal_z]: [F; 2], length: F,
     ) -> Option<(usize, F)> {
-        let (k, away) = self.find([y, z])?;
+        let (k, away) = self.nearest_point([y, z])?;
         let rail = self.surface.point(k)?;
         let [e_y, e_z] = [y - rail.y, z - rail.z];
         let is_inside = e_z * rail.cosine - e_y * rail.sine > F::zero();
         self.outside = if is_inside { None } else { Some(([y, z], away)) };
         // the next point on this side is not nearer, so that e·t = 0 before it
         let is_ahead = e_y * rail.cosine + e_z * rail.sine > F::zero();
-        let under = if is_ahead { (k, F::zero()) } else { (k.checked_sub(1)?, F::one()) };
+        let piece = if is_ahead { (k, F::zero()) } else { (k.checked_sub(1)?, F::one()) };
         let [first, last] = self.upright;
-        let leans_back = under.0 + 1 < first || under.0 > last;
-        let is_beyond = leans_back || under.0 + 1 >= self.surface.count as usize;
+        let leans_back = piece.0 + 1 < first || piece.0 > last;
+        let is_beyond = leans_back || piece.0 + 1 >= self.surface.count as usize;
         // beside the rail rather than above it
         let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
         let faces = normal_z * rail.cosine - normal_y * rail.sine > length.times(FACING);
@@ -133,22 +133,22 @@ impl<'a, F: Float> Rail<'a, F> {
         self.faced = true;
         // a point inside the rail counts at any depth
         let is_near = away <= (self.reach + self.surface.step).squared();
-        (is_near || is_inside).then_some(under)
+        (is_near || is_inside).then_some(piece)
     }
 
     /// The rail's points under others, side by side; numbers without a meaning where there is none.
     #[inline(always)]
     pub fn feet<P: Strips<F>, const N: usize>(
-        &self, [y, z]: [P; 2], under: &[Option<(usize, F)>; N],
+        &self, [y, z]: [P; 2], pieces: &[Option<(usize, F)>; N],
     ) -> Foot<P> {
-        let start = |i: usize| under.get(i).copied().flatten().unwrap_or((0, F::zero()));
+        let start = |i: usize| pieces.get(i).copied().flatten().unwrap_or((0, F::zero()));
         let step = P::all(self.surface.step);
         let first = P::gather(|i| F::widened(start(i).0 as u32 as f32));
         let from = self.surface.points(|i| start(i).0);
         let to = self.surface.points(|i| start(i).0 + 1);
         let piece = Piece::new(from, to, step);
         let mut u: P = P::gather(|i| start(i).1);
-        for _ in 0..CORRECTIONS {
+        for _ in 0..FOOT_STEPS {
             let [rail_y, rail_z] = piece.at(u);
             let (e_y, e_z) = (y - rail_y.value, z - rail_z.value);
             // Newton's step of e·t = 0: −d(e·t)/du = t·t − e·t'
@@ -157,7 +157,7 @@ impl<'a, F: Float> Rail<'a, F> {
             let ahead = (e_y * rail_y.slope + e_z * rail_z.slope) / slope.max(square.times(0.5));
             u = (u + ahead).max(P::zero()).min(P::one());
             // the next step would be less than the square of this one
-            if !P::any_exceeds([ahead.abs()], [P::constant(CLOSE)]) {
+            if !P::any_exceeds([ahead.abs()], [P::constant(FOOT_FOUND)]) {
                 break;
             }
         }
