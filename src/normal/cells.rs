@@ -58,6 +58,20 @@ impl<F> Given<F> {
     }
 }
 
+/// Pressures `p/(π E*)` for given shares of the cells that touch.
+struct Pressures<F> {
+    /// Numbers of the cells that touch.
+    touching: Vec<usize, CELLS>,
+    /// Of all cells; zero where they do not touch.
+    values: [F; CELLS],
+    /// Approach `δ` \[m\].
+    approach: F,
+    /// Derivatives of the pressures with respect to the approach \[1/m\].
+    by_approach: [F; CELLS],
+    /// `Σ a w dp/dδ/(π E*)` \[m\].
+    load_by_approach: F,
+}
+
 impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
     /// of each, and whether it may touch, and `centre_x` the centre.
@@ -82,6 +96,36 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         &mut self, equations: &mut Equations<F, STORED, ROOM>, partly: Dual<F, N>,
         given: Given<Dual<F, N>>,
     ) -> Dual<F, N> {
+        self.set_influence(equations);
+        self.begin_touching();
+        let mut round = 0;
+        let solved = loop {
+            let solved = self.solve_touching(equations, partly.value, given);
+            if !self.correct_shares(equations, &solved, partly.value, round) {
+                break solved;
+            }
+            round += 1;
+        };
+        if STORED < N {
+            self.add_slopes(equations, &solved.values);
+        }
+        let approach = self.follow_slopes(equations, &solved, partly, given);
+        if STORED < N {
+            // past the last cell the influence is zero
+            equations.clear_influence();
+        }
+        for cell in self.list.iter_mut() {
+            if !(cell.touches > F::zero() && cell.pressure.value > F::zero()) {
+                cell.pressure = Dual::zero();
+            }
+        }
+        approach
+    }
+
+    /// Sets how far the pressure of each cell deflects all cells, and the couplings.
+    fn set_influence<const STORED: usize, const ROOM: usize>(
+        &self, equations: &mut Equations<F, STORED, ROOM>,
+    ) {
         equations.make_room(self.list.len());
         let mut across = Across::<F, STORED>::new();
         for (j, cell) in self.list.iter().enumerate() {
@@ -96,108 +140,121 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
                 equations.add_coupling(i, k, stored(kappa));
             }
         }
-        // (coarse cells may all begin beyond the reach of their zone)
-        if !self.list.iter().any(|cell| cell.touches > F::zero()) {
-            let least = self.list.iter_mut().reduce(|least, cell| {
-                if cell.distance.value < least.distance.value { cell } else { least }
-            });
-            if let Some(cell) = least {
-                cell.touches = F::one();
+    }
+
+    /// Lets the cell of the least distance touch if none does: coarse cells may all begin beyond
+    /// the reach of their zone.
+    fn begin_touching(&mut self) {
+        if self.list.iter().any(|cell| cell.touches > F::zero()) {
+            return;
+        }
+        let least = self.list.iter_mut().reduce(|least, cell| {
+            if cell.distance.value < least.distance.value { cell } else { least }
+        });
+        if let Some(cell) = least {
+            cell.touches = F::one();
+        }
+    }
+
+    /// Solves for the pressures of the cells that touch, for their present shares.
+    fn solve_touching<const STORED: usize, const ROOM: usize>(
+        &self, equations: &mut Equations<F, STORED, ROOM>, partly: F, given: Given<Dual<F, N>>,
+    ) -> Pressures<F> {
+        let mut touching = Vec::new();
+        let mut sides = [[F::zero(); CELLS]; 2];
+        let [one, distance] = &mut sides;
+        for (i, cell) in self.list.iter().enumerate() {
+            if cell.touches > F::zero() {
+                let _ = touching.push(i);
+                equations.soften(i, cell.compliance().value * cell.softness());
+                set_at(one, i, F::one());
+                let rest = partly * (F::one() - cell.touches);
+                set_at(distance, i, cell.distance.value - rest);
             }
         }
-        let mut approach = Dual::zero();
-        for round in 0..SHARE_ROUNDS {
-            let mut touching: Vec<usize, CELLS> = Vec::new();
-            let mut sides = [[F::zero(); CELLS]; 2];
-            let [one, distance] = &mut sides;
-            for (i, cell) in self.list.iter().enumerate() {
-                if cell.touches > F::zero() {
-                    let _ = touching.push(i);
-                    equations.soften(i, cell.compliance().value * cell.softness());
-                    set_at(one, i, F::one());
-                    let rest = partly.value * (F::one() - cell.touches);
-                    set_at(distance, i, cell.distance.value - rest);
-                }
-            }
-            equations.solve(&touching, &mut sides);
-            let [one, distance] = sides;
-            // p = δ X − Y
-            let (mut by_approach, mut without) = (F::zero(), F::zero());
-            for ((cell, one), distance) in self.list.iter().zip(one).zip(distance) {
-                let area = cell.half_length.value * cell.width.value;
-                by_approach += area * one;
-                without += area * distance;
-            }
-            approach.value = match given {
-                Given::Load(load) => (load.value.times(1.0 / FRAC_PI_2) + without) / by_approach,
-                Given::Approach(approach) => approach.value,
+        equations.solve(&touching, &mut sides);
+        let [by_approach, without] = sides;
+        // p = δ X − Y
+        let (mut load_by_approach, mut missing) = (F::zero(), F::zero());
+        for ((cell, one), distance) in self.list.iter().zip(by_approach).zip(without) {
+            let area = cell.half_length.value * cell.width.value;
+            load_by_approach += area * one;
+            missing += area * distance;
+        }
+        let approach = match given {
+            Given::Load(load) => (load.value.times(1.0 / FRAC_PI_2) + missing) / load_by_approach,
+            Given::Approach(approach) => approach.value,
+        };
+        let mut values = [F::zero(); CELLS];
+        for ((p, one), distance) in values.iter_mut().zip(by_approach).zip(without) {
+            *p = approach * one - distance;
+        }
+        Pressures { touching, values, approach, by_approach, load_by_approach }
+    }
+
+    /// Sets the pressures and corrects the shares of cells that touch, all at once in early rounds,
+    /// and then the first that is wrong. Returns whether the pressures must be solved for again.
+    fn correct_shares<const STORED: usize, const ROOM: usize>(
+        &mut self, equations: &Equations<F, STORED, ROOM>, solved: &Pressures<F>, partly: F,
+        round: usize,
+    ) -> bool {
+        let Pressures { values, approach, .. } = solved;
+        let is_last = round + 1 >= SHARE_ROUNDS;
+        let mut changed = false;
+        for (i, (cell, p)) in self.list.iter_mut().zip(values).enumerate() {
+            cell.pressure.value = *p;
+            let overlap = if cell.touches > F::zero() {
+                let rest = partly * (F::one() - cell.touches);
+                cell.compliance().value / cell.touches * *p - rest
+            } else {
+                *approach - cell.distance.value - equations.deflection(i, values)
             };
-            let mut pressures = [F::zero(); CELLS];
-            for ((p, one), distance) in pressures.iter_mut().zip(one).zip(distance) {
-                *p = approach.value * one - distance;
-            }
-            let mut changed = false;
-            for (i, (cell, p)) in self.list.iter_mut().zip(&pressures).enumerate() {
-                cell.pressure.value = *p;
-                let overlap = if cell.touches > F::zero() {
-                    let rest = partly.value * (F::one() - cell.touches);
-                    cell.compliance().value / cell.touches * *p - rest
-                } else {
-                    approach.value - cell.distance.value - equations.deflection(i, &pressures)
-                };
-                let touches = share_that_touches(overlap, partly.value);
-                // many at once at first, then the first of them in each round
-                // (an error of a share has its square as an error of the pressure)
-                let differs = (touches - cell.touches).abs() > F::EPSILON.sqrt();
-                if differs && (round < ROUNDS_FOR_ALL || !changed) {
-                    changed = true;
-                    if round + 1 < SHARE_ROUNDS {
-                        cell.touches = touches;
-                    }
-                }
-            }
-            if changed && round + 1 < SHARE_ROUNDS {
-                continue;
-            }
-            if STORED < N {
-                self.add_slopes(equations, &pressures);
-            }
-            // (A + c (1/S' − 1)) dp = dδ − dh − dA p + (1 − S') dt − dc (1/S' − 1) p
-            for d in 0..N {
-                let of = |number: &Dual<F, N>| number.derivative(d);
-                let mut rest = [F::zero(); CELLS];
-                for (rest, cell) in rest.iter_mut().zip(self.list.iter()) {
-                    let gap = of(&partly) * (F::one() - cell.touches);
-                    let softer = cell.pressure.value * cell.softness() * of(&cell.compliance());
-                    *rest = gap - softer - of(&cell.distance);
-                }
-                equations.solve_for_slopes(d, &touching, &pressures, &mut rest);
-                let mut carried = F::zero();
-                for (cell, rest) in self.list.iter().zip(rest) {
-                    let area = cell.half_length * cell.width;
-                    carried += of(&area) * cell.pressure.value + area.value * rest;
-                }
-                let slope = match given {
-                    Given::Load(load) => (of(&load).times(1.0 / FRAC_PI_2) - carried) / by_approach,
-                    Given::Approach(approach) => of(&approach),
-                };
-                approach.set_derivative(d, slope);
-                for ((cell, one), rest) in self.list.iter_mut().zip(one).zip(rest) {
-                    cell.pressure.set_derivative(d, slope * one + rest);
-                }
-            }
-            if STORED < N {
-                // (past the last cell the influence is zero)
-                equations.clear_influence();
-            }
-            break;
-        }
-        for cell in self.list.iter_mut() {
-            if !(cell.touches > F::zero() && cell.pressure.value > F::zero()) {
-                cell.pressure = Dual::zero();
+            let touches = share_that_touches(overlap, partly);
+            // an error of a share has its square as an error of the pressure
+            let differs = (touches - cell.touches).abs() > F::EPSILON.sqrt();
+            if differs && !is_last && (round < ROUNDS_FOR_ALL || !changed) {
+                changed = true;
+                cell.touches = touches;
             }
         }
-        approach
+        changed
+    }
+
+    /// Sets the derivatives of the pressures; returns the approach with its own.
+    ///
+    /// ```text
+    /// (A + c (1/S' − 1)) dp = dδ − dh − dA p + (1 − S') dt − dc (1/S' − 1) p
+    /// ```
+    fn follow_slopes<const STORED: usize, const ROOM: usize>(
+        &mut self, equations: &Equations<F, STORED, ROOM>, solved: &Pressures<F>,
+        partly: Dual<F, N>, given: Given<Dual<F, N>>,
+    ) -> Dual<F, N> {
+        let mut slopes = [F::zero(); N];
+        for (d, slope) in slopes.iter_mut().enumerate() {
+            let of = |number: &Dual<F, N>| number.derivative(d);
+            let mut rest = [F::zero(); CELLS];
+            for (rest, cell) in rest.iter_mut().zip(self.list.iter()) {
+                let gap = of(&partly) * (F::one() - cell.touches);
+                let softer = cell.pressure.value * cell.softness() * of(&cell.compliance());
+                *rest = gap - softer - of(&cell.distance);
+            }
+            equations.solve_for_slopes(d, &solved.touching, &solved.values, &mut rest);
+            let mut carried = F::zero();
+            for (cell, rest) in self.list.iter().zip(rest) {
+                let area = cell.half_length * cell.width;
+                carried += of(&area) * cell.pressure.value + area.value * rest;
+            }
+            *slope = match given {
+                Given::Load(load) => {
+                    (of(&load).times(1.0 / FRAC_PI_2) - carried) / solved.load_by_approach
+                }
+                Given::Approach(approach) => of(&approach),
+            };
+            for ((cell, one), rest) in self.list.iter_mut().zip(solved.by_approach).zip(rest) {
+                cell.pressure.set_derivative(d, *slope * one + rest);
+            }
+        }
+        Dual { value: solved.approach, gradient: slopes }
     }
 
     /// Computes `dA p` of all directions. Its sums replace the influence.
