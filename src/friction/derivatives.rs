@@ -76,9 +76,8 @@ impl<F: Float> AtFriction<F> {
     pub(crate) fn through(
         &self, law: &SlipFriction<F>, falls: bool, of_interface: Option<&InterfaceSlopes<F>>,
     ) -> (Derivatives<F>, LawDerivatives<F>, [F; 3]) {
-        let Self { power, motion, own, friction, load, .. } = *self;
+        let Self { power, friction, load, .. } = *self;
         let Slopes { derivatives, seen, power_by_creepage, by_mismatch } = &self.slopes;
-        let along = |by: &[F; 3]| motion.power(*by);
         let by_friction = derivatives.friction;
         let bound = friction * load;
         // s = P/(μ N), in the limit of full sliding (∂P/∂μ)/N
@@ -89,13 +88,7 @@ impl<F: Float> AtFriction<F> {
         let by = law.slopes(slip);
         let moves = falls && slip > F::zero() && carries;
         let rate = if moves { by.slip } else { F::zero() };
-        let over_bound = |power: F| if carries { power / bound } else { F::zero() };
-        let [power_by_x, power_by_y, _] = *power_by_creepage;
-        let translation =
-            power_by_x * motion.longitudinal + power_by_y * motion.lateral + own.translation.power;
-        let slip_by_load = over_bound(power - (along(power_by_creepage) + own.all.power));
-        let mut slip_through_hertz = over_bound((power - translation).times(1.0 / 3.0));
-        let slip_by_mismatch = over_bound(by_mismatch.power);
+        let [slip_by_load, mut slip_through_hertz, slip_by_mismatch] = self.slip_by_size();
         let by_size = slip_by_load - slip_by_mismatch;
         let slip_by_friction = if carries { by_size / friction } else { F::zero() };
         let feedback = F::one() / (F::one() - rate * slip_by_friction);
@@ -107,21 +100,16 @@ impl<F: Float> AtFriction<F> {
         };
         let mut columns = transposed(derivatives.jacobian);
         for (column, power_by) in columns.iter_mut().zip(power_by_creepage) {
-            *column = shifted(column, rate * over_bound(*power_by));
+            *column = shifted(column, rate * self.over_bound(*power_by));
         }
-        // F = M f(k c/M, k κ/μ):  k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ
         let stiffness = law.slope_or_one();
-        let mut by_stiffness = derivatives.jacobian.map(|row| along(&row));
-        for ((entry, by_mismatch), own) in
-            by_stiffness.iter_mut().zip(by_mismatch.forces).zip(own.all.forces)
-        {
-            *entry = (*entry + own + by_mismatch) / stiffness;
-        }
+        let by_stiffness = self.by_stiffness().map(|force| force / stiffness);
         let none = [F::zero(); 3];
         let (mut by_slide, mut by_layer) = (none, none);
         if let Some(interface) = of_interface {
             let [of_layer, of_slide] = [&interface.by_layer, &interface.by_slide];
-            let [layer_power, slide_power] = [of_layer.power, of_slide.power].map(over_bound);
+            let [layer_power, slide_power] =
+                [of_layer.power, of_slide.power].map(|power| self.over_bound(power));
             // λ ~ N^{−1/3} through Hertz
             slip_through_hertz -= (interface.layer * layer_power).times(1.0 / 3.0);
             by_layer = shifted(&of_layer.forces, rate * layer_power);
@@ -143,6 +131,36 @@ impl<F: Float> AtFriction<F> {
             layer: by_layer,
         };
         (through, law, shifted(&by_mismatch.forces, rate * slip_by_mismatch))
+    }
+
+    /// `N ∂s/∂N`, the same through Hertz but for a layer, and `κ ∂s/∂κ`.
+    fn slip_by_size(&self) -> [F; 3] {
+        let Self { power, motion, own, .. } = self;
+        let Slopes { power_by_creepage, by_mismatch, .. } = &self.slopes;
+        let [power_by_x, power_by_y, _] = *power_by_creepage;
+        let translation =
+            power_by_x * motion.longitudinal + power_by_y * motion.lateral + own.translation.power;
+        let all = motion.power(*power_by_creepage) + own.all.power;
+        [*power - all, (*power - translation).times(1.0 / 3.0), by_mismatch.power]
+            .map(|power| self.over_bound(power))
+    }
+
+    /// `F = M f(k c/M, k κ/μ)`:  `k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ`
+    fn by_stiffness(&self) -> [F; 3] {
+        let mut forces = self.slopes.derivatives.jacobian.map(|row| self.motion.power(row));
+        let by_mismatch = self.slopes.by_mismatch.forces;
+        for ((force, by_mismatch), own) in
+            forces.iter_mut().zip(by_mismatch).zip(self.own.all.forces)
+        {
+            *force = *force + own + by_mismatch;
+        }
+        forces
+    }
+
+    /// A power divided by `μ N`; zero without a bound.
+    fn over_bound(&self, power: F) -> F {
+        let bound = self.friction * self.load;
+        if bound > F::zero() { power / bound } else { F::zero() }
     }
 }
 

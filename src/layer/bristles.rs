@@ -282,7 +282,13 @@ impl<T: Arithmetic> Rates<T> {
                 [p[1], self.y, self.spin, rho, way],
             ),
         ];
-        // on the bound, or inside of it
+        Self::within_bound(e, end, way)
+    }
+
+    /// A traction, or the part of it that is on the bound.
+    #[inline(always)]
+    fn within_bound(e: [T; 2], end: &SlidingPoint<T::Value>, way: T) -> [T; 2] {
+        let (zero, one) = (T::Value::constant(0.0), T::Value::constant(1.0));
         let [ex, ey] = e.map(T::value);
         let e2 = ex.squared() + ey.squared();
         let kept = end.bound / (e2.sqrt().plus(DIVISOR_FLOOR));

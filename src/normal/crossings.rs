@@ -108,53 +108,61 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             let Some(next) = next.filter(|next| next.joined) else { continue };
             let end = at(next);
             last = Some((self.without_slopes_if_still(next.y), end));
-            let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
-            let step = next_y - y;
-            // no cubic falls farther below its ends, nor does it rise farther above them
-            let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
-            let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
-            let least = own[0].value.min(end[0].value);
-            if least > fall.max(rise) {
-                continue;
-            }
-            if zones.are_deep(own[0].value.max(end[0].value) + rise) {
-                zones.pass(next_y, end);
-                continue;
-            }
-            let heights = Cubic::over(step, [height, high], [slope, steep]);
-            let exact = |t: Dual<F, N>| of(t + y, heights.value_at(t), heights.slope(t));
-            // extremes of the profile, and those of the function as a cubic
-            let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
-            let ([zero, a, b, _], [_, c, d, length]) =
-                (cuts(&heights, step), cuts(&function, step));
-            let [c, d] = [c, d].map(|cut| refined(&function, step.value, cut, exact));
-            let mut cuts = [a, b, c, d, length];
-            sort(&mut cuts, |cut, next| cut.value < next.value);
-            let (mut from, mut before) = (zero, own[0]);
-            for to in cuts {
-                if to.value <= from.value {
-                    continue;
-                }
-                let after = if to.value < length.value { exact(to) } else { end };
-                let (inside, stays) = (before.value < F::zero(), after[0].value < F::zero());
-                if inside && !stays {
-                    let end = zero_of(exact, from.value, to.value);
-                    zones.pass(end + y, exact(end));
-                    zones.end();
-                } else if stays && !inside {
-                    let begin = zero_of(exact, to.value, from.value);
-                    zones.begin(begin + y, exact(begin));
-                }
-                if stays {
-                    zones.pass(to + y, after);
-                }
-                (from, before) = (to, after[0]);
-            }
+            self.zones_of_piece(zones, [knot, next], [own, end], &of);
         }
         if let Some((end, _)) = last {
             at_end = at_end || (zones.begun.is_some() && end.value >= finish);
         }
         zones.end();
         at_end
+    }
+
+    /// The zones of the piece between two knots, at which the function has these values and slopes.
+    fn zones_of_piece(
+        &self, zones: &mut Zones<F, N>, [knot, next]: [&Knot<F, N>; 2],
+        [own, end]: [[Dual<F, N>; 2]; 2],
+        of: &impl Fn(Dual<F, N>, Dual<F, N>, Dual<F, N>) -> [Dual<F, N>; 2],
+    ) {
+        let ([y, height, slope], [next_y, high, steep]) = (self.knot(knot), self.knot(next));
+        let step = next_y - y;
+        // no cubic falls farther below its ends, nor does it rise farther above them
+        let rise = (own[1].value.abs() + end[1].value.abs()) * step.value.times(0.15);
+        let fall = (slope.value.abs() + steep.value.abs()) * step.value.times(0.15);
+        let least = own[0].value.min(end[0].value);
+        if least > fall.max(rise) {
+            return;
+        }
+        if zones.are_deep(own[0].value.max(end[0].value) + rise) {
+            zones.pass(next_y, end);
+            return;
+        }
+        let heights = Cubic::over(step, [height, high], [slope, steep]);
+        let exact = |t: Dual<F, N>| of(t + y, heights.value_at(t), heights.slope(t));
+        // extremes of the profile, and those of the function as a cubic
+        let function = Cubic::over(step, [own[0], end[0]], [own[1], end[1]]);
+        let ([zero, a, b, _], [_, c, d, length]) = (cuts(&heights, step), cuts(&function, step));
+        let [c, d] = [c, d].map(|cut| refined(&function, step.value, cut, exact));
+        let mut cuts = [a, b, c, d, length];
+        sort(&mut cuts, |cut, next| cut.value < next.value);
+        let (mut from, mut before) = (zero, own[0]);
+        for to in cuts {
+            if to.value <= from.value {
+                continue;
+            }
+            let after = if to.value < length.value { exact(to) } else { end };
+            let (inside, stays) = (before.value < F::zero(), after[0].value < F::zero());
+            if inside && !stays {
+                let end = zero_of(exact, from.value, to.value);
+                zones.pass(end + y, exact(end));
+                zones.end();
+            } else if stays && !inside {
+                let begin = zero_of(exact, to.value, from.value);
+                zones.begin(begin + y, exact(begin));
+            }
+            if stays {
+                zones.pass(to + y, after);
+            }
+            (from, before) = (to, after[0]);
+        }
     }
 }

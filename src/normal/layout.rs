@@ -49,21 +49,15 @@ pub(super) fn layout<F: Float, const N: usize>(
         far = far.max(stretch.from.value.abs()).max(stretch.to.value.abs());
     });
     let lobes = zones.lobes();
-    let further = lobes.plus(-OF_FEW).max(zero);
-    let [count, most] = [count, most].map(|count| F::widened(count as f32));
-    let more = further.squared() / further.squared().plus(HALF_OF_MORE);
-    let count = more.scale(most - count).shift(count);
+    let count = cells_for(lobes, [count, most]);
     let inverse = count / total.shift(F::TINY);
     // What is narrower than the rounding of places is left out. A share that is a difference rounds
     // by `least`: that of a zone without a cut is the integral itself.
     let rounding = F::EPSILON.times(64.0);
     let (narrow, least) = (far * rounding, (F::one() + far * inverse.value) * rounding);
     let mut own = Cut { place: zero, at: zero, zone: usize::MAX };
-    // where the next stretch begins, in cells: two of them meet in the middle
-    let half = count.times(0.5);
-    let whole = F::widened(F::whole(half.value) as f32);
-    let middle = if whole < half.value { whole + F::one() } else { whole };
-    let mut begin = Dual::from_base(middle) - half;
+    // where the next stretch begins, in cells
+    let mut begin = first_place(count);
     let mut cell = 0_i32;
     let mut add = |from: &Cut<F, N>, to: &Cut<F, N>, cell: i32, exact: Dual<F, N>| {
         let share = to.at - from.at;
@@ -75,8 +69,7 @@ pub(super) fn layout<F: Float, const N: usize>(
         }
     };
     // of a zone that has no cut
-    let mut whole = zero;
-    let mut last = own;
+    let (mut whole, mut last) = (zero, own);
     zones.stretches(&mut |zone, stretch| {
         if zone != own.zone {
             add(&own, &last, cell, whole);
@@ -103,6 +96,22 @@ pub(super) fn layout<F: Float, const N: usize>(
     });
     add(&own, &last, cell, whole);
     (total, lobes.value.times(OF_LOBE) <= count.value)
+}
+
+/// Between `count` cells, and `most` for many lobes.
+fn cells_for<F: Float, const N: usize>(lobes: Dual<F, N>, cells: [usize; 2]) -> Dual<F, N> {
+    let further = lobes.plus(-OF_FEW).max(Dual::zero());
+    let [count, most] = cells.map(|count| F::widened(count as f32));
+    let more = further.squared() / further.squared().plus(HALF_OF_MORE);
+    more.scale(most - count).shift(count)
+}
+
+/// Where the first cell begins, in cells: two of them meet in the middle.
+fn first_place<F: Float, const N: usize>(count: Dual<F, N>) -> Dual<F, N> {
+    let half = count.times(0.5);
+    let whole = F::widened(F::whole(half.value) as f32);
+    let middle = if whole < half.value { whole + F::one() } else { whole };
+    Dual::from_base(middle) - half
 }
 
 /// Where cells are cut.

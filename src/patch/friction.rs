@@ -193,34 +193,11 @@ pub fn differentiate_patch<F: Float>(
         let by_mismatch = [F::zero(); 3];
         return Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch });
     }
-    // F = λ f(k c/λ):  ∂F/∂c = k J
-    let stiffness = share * factor;
-    let rows = slopes.derivatives.jacobian;
-    // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
-    // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
     let mean = bound / load;
-    let [layer_x, layer_y, layer_z] = scaled(interface.by_layer.forces, interface.layer);
-    let others =
-        |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
-            let [by_mismatch, by_layer] = by_others;
-            let translation = x * at.longitudinal + y * at.lateral;
-            let rest = force - translation - z * at.spin - own;
-            let hertz = force.times(power) - (translation + moved + by_layer).times(1.0 / 3.0);
-            [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
-        };
-    let [x, y, z] = rows;
-    let [by_x, by_y, by_z] = slopes.by_mismatch.forces;
-    let ([ox, oy, oz], [tx, ty, tz]) = (own.all.forces, own.translation.forces);
-    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
-        others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
-        others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),
-        others(found.mz, z, [oz, tz], [by_z, layer_z], 4.0 / 3.0),
-    ];
+    // F = λ f(k c/λ):  ∂F/∂c = k J
     let derivatives = Derivatives {
-        jacobian: rows.map(|row| scaled(row, stiffness)),
-        normal_force: [nx, ny, nz],
-        load_through_hertz: [hx, hy, hz],
-        friction: [mx, my, mz],
+        jacobian: slopes.derivatives.jacobian.map(|row| scaled(row, share * factor)),
+        ..size_derivatives(&found, &slopes, &interface, &own, [share, load, mean], &at)
     };
     let friction = share * mean;
     // F = λ f(k c/λ),  P = λ²/k P(k c/λ)
@@ -246,6 +223,39 @@ pub fn differentiate_patch<F: Float>(
     let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
     Error::Overflow.unless(fit)?;
     Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
+}
+
+/// The derivatives with respect to load, load through Hertz, and friction, for a share `λ` of the
+/// friction, a load, and the mean friction without slip.
+fn size_derivatives<F: Float>(
+    found: &Solution<F>, slopes: &Slopes<F>, interface: &InterfaceSlopes<F>,
+    own: &OwnCreepageSlopes<F>, [share, load, mean]: [F; 3], at: &Creepage<F>,
+) -> Derivatives<F> {
+    // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
+    // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
+    let [layer_x, layer_y, layer_z] = scaled(interface.by_layer.forces, interface.layer);
+    let others =
+        |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
+            let [by_mismatch, by_layer] = by_others;
+            let translation = x * at.longitudinal + y * at.lateral;
+            let rest = force - translation - z * at.spin - own;
+            let hertz = force.times(power) - (translation + moved + by_layer).times(1.0 / 3.0);
+            [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
+        };
+    let [x, y, z] = slopes.derivatives.jacobian;
+    let [by_x, by_y, by_z] = slopes.by_mismatch.forces;
+    let ([ox, oy, oz], [tx, ty, tz]) = (own.all.forces, own.translation.forces);
+    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
+        others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
+        others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),
+        others(found.mz, z, [oz, tz], [by_z, layer_z], 4.0 / 3.0),
+    ];
+    Derivatives {
+        normal_force: [nx, ny, nz],
+        load_through_hertz: [hx, hy, hz],
+        friction: [mx, my, mz],
+        ..Derivatives::default()
+    }
 }
 
 /// Forces of one strip at its own centre, with derivatives while the share `λ` stays.

@@ -8,7 +8,9 @@ use crate::number::{Float, Number};
 use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
 use crate::patch::zones::{Widths, Zone};
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
-use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
+use crate::strip::{
+    Distribution, Flexibilities, StripCreepage, StripForces, StripGeometry, eight_strips,
+};
 use heapless::Vec;
 
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so
@@ -70,17 +72,15 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
         let is_whole = lobe.len() == view.strips().len();
         let alternates = of_patch.alternation > F::zero();
         let widths = if alternates && !is_whole { Widths::of_strips(lobe) } else { of_patch };
-        let count = lobe.len();
-        let mut in_lobe = false;
+        let (count, mut in_lobe) = (lobe.len(), false);
         let alternating = widths.alternation.times(0.5);
         for (g, group) in lobe.chunks(8).enumerate() {
             let zero = T::zero();
             let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
             let mut creepages = [(none, T::zero()); 8];
-            let mut inner = [F::zero(); 8];
+            let (mut inner, mut which) = ([F::zero(); 8], [usize::MAX; 8]);
             // what successive strips have in common, and which of these a strip has
             let mut shifts: Vec<(T, Option<ZoneSplit<T>>), 8> = Vec::new();
-            let mut which = [usize::MAX; 8];
             let strips = group.iter().zip(&mut creepages).zip(&mut inner).zip(&mut which);
             for (k, (((strip, creepage), inner), which)) in strips.enumerate() {
                 let i = 8 * g + k;
@@ -112,21 +112,24 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                 let is_inner = i.min(count - 1 - i) % 2 == 1;
                 *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
             }
-            let found = eight_strips(&creepages, inner).into_iter().zip(which);
-            for (k, (strip, (found, which))) in group.iter().zip(found).enumerate() {
-                let (shift, split) = shifts
-                    .get(which)
-                    .map_or((zero, None), |(shift, split)| (*shift, split.as_ref()));
-                let stick = found.stick.value();
-                let mut share = Share::new(strip, &found, stick, stick > F::zero());
-                if let Some(split) = split {
-                    share = split.mean(strip, share);
-                }
-                let own = view.own(first + 8 * g + k);
-                visit(strip, share.on(strip, shift, own.as_ref()));
+            for (k, (strip, own)) in group.iter().zip(eight_strips(&creepages, inner)).enumerate() {
+                let of_zone = which.get(k).and_then(|which| shifts.get(*which));
+                let (shift, split) =
+                    of_zone.map_or((zero, None), |(x, split)| (*x, split.as_ref()));
+                let share = share_of_strip(strip, &own, split);
+                visit(strip, share.on(strip, shift, view.own(first + 8 * g + k).as_ref()));
             }
         }
     }
+}
+
+/// The forces of a strip, behind a layer their mean over half-spaces and bristles.
+fn share_of_strip<F: Float, T: Number<Base = F>>(
+    strip: &PatchStrip<F>, found: &StripForces<T>, split: Option<&ZoneSplit<T>>,
+) -> Share<T> {
+    let stick = found.stick.value();
+    let share = Share::new(strip, found, stick, stick > F::zero());
+    split.map_or(share, |split| split.mean(strip, share))
 }
 
 /// Creepage of a zone's ellipse at `x` on its middle line, and the part that pressure adds.

@@ -22,6 +22,7 @@ use crate::forces::Options;
 use crate::friction::derivatives::{Differentiated, differentiate_with_law};
 use crate::friction::{InMotion, SlipFriction};
 use crate::number::{Float, are_finite};
+use crate::rig::sums::Sums;
 use crate::status::{Error, Warning};
 use nalgebra::{Matrix6, Vector6};
 
@@ -138,25 +139,53 @@ struct Fit<'a, F> {
     /// In these units.
     low: Vector6<F>,
     high: Vector6<F>,
-    /// The largest measured force divided by the load.
-    used: F,
+    measured: MeasuredSums<F>,
+}
+
+/// What the measured forces have in common.
+struct MeasuredSums<F> {
     /// How many forces count, the sum of their weights, and that of their weighted squares over
     /// `N²`.
     count: usize,
     weights: F,
     squares: F,
+    /// The largest force divided by the load.
+    used: F,
+    /// The fastest slip over the rolling speed.
+    fastest: F,
+}
+
+impl<F: Float> MeasuredSums<F> {
+    /// # Errors
+    /// Those of the first bad point, with its number.
+    fn at_points(
+        contact: &Contact<F>, points: &[MeasuredForce<F>], start: &SlipFriction<F>,
+        options: &Options,
+    ) -> Result<Self, (usize, Error)> {
+        let zero = F::zero();
+        let mut all = Self { count: 0, weights: zero, squares: zero, used: zero, fastest: zero };
+        for (i, point) in points.iter().enumerate() {
+            point.check().map_err(|error| (i, error))?;
+            let creepage = point.creepage();
+            let motion = InMotion { creepage: &creepage, law: Some(start), options };
+            motion.check(contact).map_err(|error| (i, error))?;
+            for force in point.measured_forces().into_iter().flatten() {
+                if point.weight > zero {
+                    all.count += 1;
+                    all.weights += point.weight;
+                    let over = force / contact.normal_force;
+                    all.squares += point.weight * over * over;
+                    all.used = all.used.max(over.abs());
+                    all.fastest = all.fastest.max(contact.fastest_slip(&creepage));
+                }
+            }
+        }
+        Ok(all)
+    }
 }
 
 /// Least plausible slope factor: measured curves have 0.2 to 1.
 const LEAST_SLOPE_FACTOR: f64 = 0.05;
-
-/// The sum of the squares over `N²`, half of its derivatives, and the normal equations.
-#[derive(Clone, Copy)]
-struct Sums<F> {
-    total: F,
-    gradient: Vector6<F>,
-    normal: Matrix6<F>,
-}
 
 /// A minimum of the sum.
 #[derive(Clone, Copy)]
@@ -216,55 +245,24 @@ impl<'a, F: Float> Fit<'a, F> {
         let wanted = fitted.iter().filter(|fitted| **fitted).count();
         of_all(Error::FitParameters.unless(wanted > 0))?;
         of_all(Error::Unexplained.unless(!contact.is_lost()))?;
-        let load = contact.normal_force;
+        let measured = MeasuredSums::at_points(contact, points, start, options)?;
         let (zero, one) = (F::zero(), F::one());
-        let (mut count, mut weights, mut squares) = (0, zero, zero);
-        let (mut used, mut fastest) = (zero, zero);
-        for (i, point) in points.iter().enumerate() {
-            point.check().map_err(|error| (i, error))?;
-            let creepage = point.creepage();
-            let motion = InMotion { creepage: &creepage, law: Some(start), options };
-            motion.check(contact).map_err(|error| (i, error))?;
-            for force in point.measured_forces().into_iter().flatten() {
-                if point.weight > zero {
-                    count += 1;
-                    weights += point.weight;
-                    let over = force / load;
-                    squares += point.weight * over * over;
-                    used = used.max(over.abs());
-                    fastest = fastest.max(contact.fastest_slip(&creepage));
-                }
-            }
-        }
-        of_all(Error::FewPoints.unless(count >= wanted))?;
+        of_all(Error::FewPoints.unless(measured.count >= wanted))?;
         let flexible = (contact.a / contact.shear_modulus).times(FLEXIBILITY);
         // decay over which friction falls within the points
-        let slow = start.rolling_speed * fastest;
+        let slow = start.rolling_speed * measured.fastest;
         let decay = if slow > zero { one / slow } else { one };
         let units = Vector6::new(one, one, decay, one, one, flexible);
         let (least, most, half) = (F::of(LEAST_FACTOR), F::of(1e6), F::of(0.5));
         let low = Vector6::new(least, zero, zero, least, least, least);
         let high = Vector6::new(most, one, most, one, one, most);
-        let usual = Vector6::new(used.times(1.05).max(least), half, one, half, half, one);
+        let usual = Vector6::new(measured.used.times(1.05).max(least), half, one, half, half, one);
         let fitted = Vector6::from(fitted);
         let missing = parameters(start).zip_map(&fitted, |start, fitted| fitted && start <= zero);
         let usual = usual.zip_map(&units, |usual, unit| usual * unit);
         let begin = parameters(start).zip_zip_map(&missing, &usual, choose);
         let start = with_parameters(start, begin);
-        Ok(Self {
-            contact,
-            points,
-            options,
-            fitted,
-            start,
-            units,
-            low,
-            high,
-            used,
-            count,
-            weights,
-            squares,
-        })
+        Ok(Self { contact, points, options, fitted, start, units, low, high, measured })
     }
 
     /// The law with parameters in their units; those that are not fitted stay as they are.
@@ -322,7 +320,10 @@ impl<'a, F: Float> Fit<'a, F> {
                 break;
             }
             let mut start = Vector6::from(start.map(F::of));
-            start.iter_mut().take(1).for_each(|friction| *friction = *friction * self.used);
+            start
+                .iter_mut()
+                .take(1)
+                .for_each(|friction| *friction = *friction * self.measured.used);
             let start = given.zip_zip_map(&self.fitted, &start, choose);
             let Ok(other) = self.minimum(&start, MOST_EVALUATIONS) else { continue };
             let Ok(found) = best else {
@@ -348,7 +349,7 @@ impl<'a, F: Float> Fit<'a, F> {
 
     /// What is left of the sum at the minimum of exact points.
     fn exact_rest(&self) -> F {
-        self.squares * (F::EPSILON * F::EPSILON).times(EXACT * EXACT)
+        self.measured.squares * (F::EPSILON * F::EPSILON).times(EXACT * EXACT)
     }
 
     /// Whether a fitted parameter of two minima differs by more than a small share of its size.
@@ -387,7 +388,7 @@ impl<'a, F: Float> Fit<'a, F> {
             if let Some(found) = found {
                 let fall = sums.total - found.total;
                 (at, sums) = (next, found);
-                let rounding = self.squares * F::EPSILON * F::EPSILON;
+                let rounding = self.measured.squares * F::EPSILON * F::EPSILON;
                 settled = fall <= sums.total * F::EPSILON.sqrt().times(FALL_REACHED) + rounding;
                 damping = damping.times(FALLS).max(least);
             } else {
@@ -421,8 +422,9 @@ impl<'a, F: Float> Fit<'a, F> {
         let free = self.free(at, sums);
         let moves = free.iter().filter(|free| **free).count();
         let number = |n: usize| F::widened(n as f32);
-        let left = sums.total / number(self.count.saturating_sub(moves).max(1));
-        let presumed = self.squares / number(self.count) * F::of(PRESUMED * PRESUMED);
+        let left = sums.total / number(self.measured.count.saturating_sub(moves).max(1));
+        let presumed =
+            self.measured.squares / number(self.measured.count) * F::of(PRESUMED * PRESUMED);
         let mut errors = Vector6::repeat(zero);
         let mut tells = false;
         if let Some(inverse) = sums.inverted(&free, zero) {
@@ -454,41 +456,9 @@ impl<'a, F: Float> Fit<'a, F> {
         FrictionFit {
             law,
             standard_errors: with_parameters(&SlipFriction::default(), errors),
-            residual: ((sums.total / self.weights).sqrt() * load).min(F::HUGE),
+            residual: ((sums.total / self.measured.weights).sqrt() * load).min(F::HUGE),
             steps: *steps as u32,
             warning: Warning::first(&warnings).worse(per_cent),
         }
-    }
-}
-
-impl<F: Float> Sums<F> {
-    fn add(&mut self, weight: F, error: F, row: &Vector6<F>) {
-        self.total += weight * error * error;
-        self.gradient.zip_apply(row, |entry, slope| *entry += weight * slope * error);
-        for (mut column, slope) in self.normal.column_iter_mut().zip(row) {
-            column.zip_apply(row, |entry, other| *entry += weight * *slope * other);
-        }
-    }
-
-    /// The inverse of the damped normal equations of free parameters, zero for the others; none
-    /// where they are singular.
-    fn inverted(&self, free: &Vector6<bool>, damping: F) -> Option<Matrix6<F>> {
-        let (zero, one) = (F::zero(), F::one());
-        // in units that make the diagonal one
-        let own = self.normal.diagonal();
-        if own.iter().zip(free).any(|(own, free)| *free && !(*own > zero)) {
-            return None;
-        }
-        let scale = own.zip_map(free, |own, free| if free { one / own.sqrt() } else { zero });
-        let scaled = |matrix: &Matrix6<F>| {
-            let mut scaled = *matrix;
-            for (mut column, own) in scaled.column_iter_mut().zip(&scale) {
-                column.zip_apply(&scale, |entry, other| *entry = *entry * *own * other);
-            }
-            scaled
-        };
-        let mut matrix = scaled(&self.normal);
-        matrix.fill_diagonal(one + damping);
-        F::inverse_of_normal(matrix).map(|inverse| scaled(&inverse))
     }
 }

@@ -16,6 +16,7 @@ pub(crate) mod creepage;
 pub mod fit;
 pub(crate) mod friction;
 mod search;
+mod sums;
 
 pub use self::creepage::creepage_for_force;
 pub use self::friction::estimate_friction;

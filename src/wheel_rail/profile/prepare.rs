@@ -57,10 +57,7 @@ impl<F: Float> PreparedProfile<F> {
     pub fn prepare(
         &mut self, y: &[F], z: &[F], step: F, smoothing_length: F,
     ) -> Result<Warning, Error> {
-        Error::Profile.when(y.len() < 4 || y.len() != z.len())?;
-        Error::NotFinite.unless([y, z, &[step, smoothing_length]].into_iter().all(are_finite))?;
-        Error::SmoothingLength.when(smoothing_length < F::zero())?;
-        Error::Profile.when(step < F::zero())?;
+        check_points(y, z, [step, smoothing_length])?;
         let mut line = CoarseLine::new();
         let radius = line.follow(y, z, extent(y, z)?)?;
         let most = KSTRIP_SURFACE_CAPACITY as i32 - 1;
@@ -122,6 +119,15 @@ impl<F: Float> PreparedProfile<F> {
         let k = if is_reversed { chords - k } else { k };
         self.set_point(k, CurvePoint { y, z, cosine: F::zero(), sine: F::zero() });
     }
+}
+
+/// # Errors
+/// [`Error::Profile`], [`Error::NotFinite`], [`Error::SmoothingLength`].
+fn check_points<F: Float>(y: &[F], z: &[F], [step, smoothing]: [F; 2]) -> Result<(), Error> {
+    Error::Profile.when(y.len() < 4 || y.len() != z.len())?;
+    Error::NotFinite.unless([y, z, &[step, smoothing]].into_iter().all(are_finite))?;
+    Error::SmoothingLength.when(smoothing < F::zero())?;
+    Error::Profile.when(step < F::zero())
 }
 
 /// The distance between the corners of the rectangle around a profile.
