@@ -10,7 +10,6 @@ use crate::wheel_rail::Requested;
 use core::mem::MaybeUninit;
 
 /// Runs a function that may fail, and returns its status.
-#[inline]
 pub(super) fn status_of(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip_status {
     match body() {
         Ok(warning) => warning.code(),
@@ -19,7 +18,6 @@ pub(super) fn status_of(body: impl FnOnce() -> Result<Warning, Error>) -> kstrip
 }
 
 /// Writes the result of a function to its one output, which is required.
-#[inline]
 pub(super) fn write_result<T>(
     place: Output<T>, find: impl FnOnce() -> Result<T, Error>,
 ) -> kstrip_status {
@@ -30,7 +28,6 @@ pub(super) fn write_result<T>(
 }
 
 /// The same of a result with a warning, which is the status.
-#[inline]
 pub(super) fn write_warned<T>(
     place: Output<T>, find: impl FnOnce() -> Result<(T, Warning), Error>,
 ) -> kstrip_status {
@@ -43,7 +40,6 @@ pub(super) fn write_warned<T>(
 }
 
 /// The same for a solution, whose warning is the status.
-#[inline]
 pub(super) fn write_solution<F: Float>(
     place: Output<Solution<F>>, solve: impl FnOnce() -> Result<Solution<F>, Error>,
 ) -> kstrip_status {
@@ -56,24 +52,20 @@ pub(super) fn write_solution<F: Float>(
 }
 
 /// A required argument.
-#[inline]
 pub(super) fn given<T>(argument: Option<T>) -> Result<T, Error> {
     argument.ok_or(Error::NullPointer)
 }
 
 /// The caller's options for forces; NULL and zero mean the defaults.
-#[inline]
 pub(super) fn for_forces(options: Option<&kstrip_options>) -> Result<Options, Error> {
     with_default(options, Model::Total)
 }
 
 /// The caller's options for strips or fields.
-#[inline]
 pub(super) fn for_strips(options: Option<&kstrip_options>) -> Result<Options, Error> {
     with_default(options, Model::Strip)
 }
 
-#[inline]
 fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Options, Error> {
     let kstrip_options { model, strips } = options.copied().unwrap_or_default();
     let is_default = model == KSTRIP_MODEL_DEFAULT;
@@ -84,7 +76,6 @@ fn with_default(options: Option<&kstrip_options>, default: Model) -> Result<Opti
 }
 
 /// A number of strips; 0: the default.
-#[inline]
 pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
     if strips == 0 {
         Ok(StripCount::default())
@@ -94,7 +85,6 @@ pub(super) fn strip_count(strips: i32) -> Result<StripCount, Error> {
 }
 
 /// A result by reference.
-#[inline]
 pub(super) fn given_by<T>(found: &Result<T, Error>) -> Result<&T, Error> {
     found.as_ref().map_err(|error| *error)
 }
@@ -103,7 +93,6 @@ pub(super) fn given_by<T>(found: &Result<T, Error>) -> Result<&T, Error> {
 pub(super) type Output<'a, T> = Option<&'a mut MaybeUninit<T>>;
 
 /// Writes an output if it is requested.
-#[inline]
 pub(super) fn put<T>(place: Output<T>, value: T) {
     if let Some(place) = place {
         place.write(value);
@@ -112,7 +101,6 @@ pub(super) fn put<T>(place: Output<T>, value: T) {
 
 /// Runs a computation and writes the derivatives that are requested, if it has a result and all of
 /// its numbers are finite, as `fits` tells.
-#[inline]
 pub(super) fn with_requested<V: Default, P: Default, T>(
     by_velocity: Output<V>, by_position: Output<P>, fits: impl FnOnce(&T, &V, &P) -> bool,
     solve: impl FnOnce(Requested<V, P>) -> Result<T, Error>,

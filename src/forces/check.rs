@@ -50,7 +50,6 @@ fn range<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) ->
 }
 
 /// Upper bound of the forces of the model \[N\].
-#[inline]
 fn force_limit<F: Real>(contact: &Contact<F>, creepage: &Creepage<F>, model: Model) -> F {
     if model != Model::Linear {
         return contact.friction_bound();

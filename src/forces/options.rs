@@ -61,7 +61,6 @@ impl Model {
 
     /// Whether the model has no fitted constants, and neglects unlike materials as the paper does.
     #[must_use]
-    #[inline]
     pub const fn is_of_1967(self) -> bool {
         matches!(self, Self::Strip1967 | Self::Strip1967Continuous)
     }

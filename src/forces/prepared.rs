@@ -56,7 +56,6 @@ unsafe impl<F: Float> Numbers<F> for Flexibilities<F> {}
 unsafe impl<F: Float> Numbers<F> for Linear<F> {}
 
 /// The first number of a prepared structure: it encodes the precision and the model.
-#[inline]
 fn mark<F: Float>(model: Model) -> F {
     F::constant(1.967 * size_of::<F>() as f64) + F::widened(model as i32 as f32)
 }
@@ -117,7 +116,6 @@ impl<F: Float> Prepared<F> {
     ///
     /// # Errors
     /// Those of [`forces_of_contact`](crate::forces::forces_of_contact); [`Error::NotPrepared`].
-    #[inline]
     pub fn solve(&self, creepage: &Creepage<F>) -> Result<Solution<F>, Error> {
         let per_spin: &F = self.part::<_, PER_SPIN>();
         let quick = creepage.fastest_within(*per_spin) <= F::constant(LARGEST_CREEPAGE);
@@ -178,7 +176,6 @@ impl<F: Float> Prepared<F> {
     }
 
     /// Index of the first of them.
-    #[inline]
     fn part<T: Numbers<F>, const AT: usize>(&self) -> &T {
         const { assert!(size_of::<T>() <= (ROOM - AT) * size_of::<F>()) };
         const { assert!(align_of::<T>() <= align_of::<F>()) };

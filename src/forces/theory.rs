@@ -217,7 +217,6 @@ pub(crate) trait Theory<F: Real>: Copy {
 
     /// `G a b C11`, `G a b C22`, `G (ab)^{3/2} C23`, `G (ab)² C33` for the linear theory; `None`
     /// for all other models.
-    #[inline]
     fn stiffness(&self) -> Option<&[F; 4]> {
         None
     }
@@ -250,7 +249,6 @@ impl<F: Real> Theory<F> for Strip1967 {
 }
 
 /// The sliding rule of a model of the theory of 1967.
-#[inline]
 pub(crate) fn sliding_rule(model: Model) -> SlidingRule {
     if model == Model::Strip1967Continuous {
         SlidingRule::Continuous
@@ -320,7 +318,6 @@ impl<F: Real> Theory<F> for Linear<F> {
     ) -> Totals<T> {
         Totals::nothing()
     }
-    #[inline]
     fn stiffness(&self) -> Option<&[F; 4]> {
         Some(&self.0)
     }

@@ -185,7 +185,6 @@ impl<'a, F: Float> InMotion<'a, F> {
     }
 
     /// The model behind the layer of the law, if there is one.
-    #[inline]
     pub fn behind_layer(&self) -> Option<ThroughLayer<'a, F>> {
         let law = self.law.filter(|law| law.has_interface())?;
         Some(ThroughLayer { law, creepage: self.creepage, options: self.options })

@@ -21,7 +21,6 @@ pub struct Dual<P, const M: usize> {
 impl<F: Real, const M: usize> Dual<F, M> {
     /// The input number `index`: its derivative with respect to itself is one.
     #[must_use]
-    #[inline]
     pub fn input(value: F, index: usize) -> Self {
         let mut gradient = [F::zero(); M];
         if let Some(own) = gradient.get_mut(index) {
@@ -106,7 +105,6 @@ impl<P: Arithmetic<Value = P>, const M: usize> Div for Dual<P, M> {
 
 impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
     type Output = Self;
-    #[inline]
     fn neg(self) -> Self {
         Self { value: -self.value, gradient: P::each(&self.gradient, |d| -*d) }
     }
@@ -115,19 +113,15 @@ impl<P: Arithmetic<Value = P>, const M: usize> Neg for Dual<P, M> {
 impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     type Value = P;
 
-    #[inline]
     fn constant(x: f64) -> Self {
         Self::from_base(P::constant(x))
     }
-    #[inline]
     fn tiny() -> Self {
         Self::from_base(P::tiny())
     }
-    #[inline]
     fn from_base(value: P) -> Self {
         Self { value, gradient: [P::zero(); M] }
     }
-    #[inline]
     fn value(self) -> P {
         self.value
     }
@@ -154,12 +148,10 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     fn scale(self, factor: P) -> Self {
         self.chain(self.value * factor, factor)
     }
-    #[inline]
     fn shift(mut self, term: P) -> Self {
         self.value += term;
         self
     }
-    #[inline]
     fn squared(self) -> Self {
         self.chain(self.value * self.value, self.value + self.value)
     }
@@ -231,11 +223,9 @@ impl<F: Real, const M: usize> Number for Dual<F, M> {
     const HUGE: F = F::HUGE;
     const EPSILON: F = F::EPSILON;
 
-    #[inline]
     fn derivative(&self, direction: usize) -> F {
         self.gradient.get(direction).copied().unwrap_or(F::zero())
     }
-    #[inline]
     fn set_derivative(&mut self, direction: usize, derivative: F) {
         if let Some(place) = self.gradient.get_mut(direction) {
             *place = derivative;

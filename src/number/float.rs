@@ -13,19 +13,15 @@ macro_rules! plain {
             const ZERO: $float = 0.0;
             $($float_items)*
 
-            #[inline]
             fn widened(x: f32) -> Self {
                 $float::from(x)
             }
-            #[inline]
             fn whole(self) -> i32 {
                 self as i32
             }
-            #[inline]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
-            #[inline]
             fn is_finite_number(self) -> bool {
                 self.is_finite()
             }
@@ -39,7 +35,6 @@ macro_rules! plain {
             ) -> Option<nalgebra::Matrix6<Self>> {
                 matrix.cholesky().map(|factor| factor.inverse())
             }
-            #[inline]
             fn table<const R: usize, const C: usize>(
                 $single: &'static [[f32; C]; R],
                 $double: &'static [[f64; C]; R],
@@ -53,7 +48,6 @@ macro_rules! plain {
             $($plain_items)*
             type Stored = $float;
 
-            #[inline]
             fn stored(x: $float) -> Self {
                 x
             }
@@ -66,7 +60,6 @@ macro_rules! plain {
                 let k = p.wrapping_sub(q).wrapping_add(1 << ($mantissa - 1)) >> $mantissa;
                 (k as $float, $float::from_bits(q.wrapping_add(k << $mantissa) as _))
             }
-            #[inline]
             fn ln_quotient(self, divisor: Self) -> Self {
                 elementary::ln_quotient(self, divisor)
             }
@@ -74,7 +67,6 @@ macro_rules! plain {
             fn ln_quotients<P: Strips<Self>>(x: P, divisor: Self) -> P {
                 elementary::ln_quotients(x, divisor)
             }
-            #[inline]
             fn atan_of_unit(self) -> Self {
                 elementary::atan_of_unit(self)
             }
@@ -88,7 +80,6 @@ macro_rules! plain {
                 }
                 bits.wrapping_sub(from) <= to.wrapping_sub(from)
             }
-            #[inline]
             fn lies_within(self, limit: Self) -> bool {
                 self.to_bits() <= limit.to_bits()
             }
@@ -98,24 +89,19 @@ macro_rules! plain {
             type Value = $float;
             const BRANCHES: bool = cfg!(target_os = "none");
 
-            #[inline]
             fn is_above(self, other: Self) -> bool {
                 self > other
             }
-            #[inline]
             fn constant(x: f64) -> Self {
                 x as $float
             }
-            #[inline]
             fn tiny() -> Self {
                 $float::MIN_POSITIVE
             }
 
-            #[inline]
             fn from_base(x: $float) -> Self {
                 x
             }
-            #[inline]
             fn value(self) -> Self {
                 self
             }
@@ -185,7 +171,6 @@ plain!(
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
 
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        #[inline]
         fn two_roots(of: [f32; 2]) -> [f32; 2] {
             avx::of_two(of)
         }

@@ -21,12 +21,10 @@ pub struct Wide;
 
 impl<T, const N: usize, A> Lanes<T, N, A> {
     /// Side by side. (Code that makes numbers for wide registers has checked that there are any.)
-    #[inline]
     pub(crate) fn new(numbers: [T; N]) -> Self {
         Self(numbers, [])
     }
     /// One by one.
-    #[inline]
     pub(crate) fn numbers(self) -> [T; N] {
         self.0
     }
@@ -66,23 +64,18 @@ impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for L
     type Value = Self;
     const BRANCHES: bool = N == 1 && T::BRANCHES;
 
-    #[inline]
     fn is_above(self, other: Self) -> bool {
         self.0.iter().zip(&other.0).all(|(x, other)| x.is_above(*other))
     }
-    #[inline]
     fn constant(x: f64) -> Self {
         Self([T::constant(x); N], [])
     }
-    #[inline]
     fn tiny() -> Self {
         Self([T::tiny(); N], [])
     }
-    #[inline]
     fn from_base(x: Self) -> Self {
         x
     }
-    #[inline]
     fn value(self) -> Self {
         self
     }
@@ -182,11 +175,9 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
 }
 
 impl<T: Real<Pair = Self>> Pair<T> for Lanes<T, 2> {
-    #[inline]
     fn couple(first: T, second: T) -> Self {
         Self([first, second], [])
     }
-    #[inline]
     fn parts(self) -> (T, T) {
         self.0.into()
     }
@@ -203,11 +194,9 @@ pub type F32Pair = Lanes<f32, 2>;
 
 #[cfg(target_arch = "x86_64")]
 impl Pair<f32> for Lanes<f32, 4> {
-    #[inline]
     fn couple(first: f32, second: f32) -> Self {
         Self([first, second, 1.0, 1.0], [])
     }
-    #[inline]
     fn parts(self) -> (f32, f32) {
         let [first, second, ..] = self.0;
         (first, second)
@@ -233,11 +222,9 @@ impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, 
         }
         Self(numbers, [])
     }
-    #[inline]
     fn all(x: F) -> Self {
         Self([x; N], [])
     }
-    #[inline]
     fn lane(&self, i: usize) -> F {
         self.0.get(i).copied().unwrap_or(F::zero())
     }
@@ -269,11 +256,9 @@ macro_rules! twice {
                 let (first, second) = list.split_at($count.min(list.len()));
                 Self([Strips::of_list(first), Strips::of_list(second)], [])
             }
-            #[inline]
             fn all(x: F) -> Self {
                 Self([Strips::all(x); 2], [])
             }
-            #[inline]
             fn lane(&self, i: usize) -> F {
                 let [first, second] = &self.0;
                 if i < $count { first.lane(i) } else { second.lane(i - $count) }

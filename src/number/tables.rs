@@ -80,7 +80,6 @@ pub(crate) const fn every_second<const R: usize, const C: usize, const HALF: usi
 }
 
 /// A row of numbers.
-#[inline]
 pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))
 }

@@ -28,7 +28,6 @@ impl<F: Float> Bracket<F> {
     /// }
     /// assert!((bracket.middle() - 2.0_f64.sqrt()).abs() < 1e-12);
     /// ```
-    #[inline]
     pub fn narrow(&mut self, x: F, value: F) {
         if value < F::zero() {
             self.negative = x;
@@ -38,13 +37,11 @@ impl<F: Float> Bracket<F> {
     }
 
     /// The distance of its ends.
-    #[inline]
     pub fn width(&self) -> F {
         (self.positive - self.negative).abs()
     }
 
     /// The middle of its ends.
-    #[inline]
     pub fn middle(&self) -> F {
         self.negative.times(0.5) + self.positive.times(0.5)
     }
@@ -58,7 +55,6 @@ impl<F: Float> Bracket<F> {
     /// assert_eq!(Bracket { negative: 1e-100, positive: 1.0 }.ratio_middle(), 1e-50);
     /// assert_eq!(Bracket { negative: 2.0, positive: 1.0 }.ratio_middle(), 1.5);
     /// ```
-    #[inline]
     pub fn ratio_middle(&self) -> F {
         let Self { negative, positive } = *self;
         let (low, high) = (negative.min(positive), negative.max(positive));
@@ -67,13 +63,11 @@ impl<F: Float> Bracket<F> {
     }
 
     /// Whether a place lies between its ends, or is one of them. No NaN does.
-    #[inline]
     pub fn holds(&self, x: F) -> bool {
         x >= self.negative.min(self.positive) && x <= self.negative.max(self.positive)
     }
 
     /// A proposed place if the bracket holds it, else the middle.
-    #[inline]
     pub fn guarded(&self, proposed: F) -> F {
         if self.holds(proposed) { proposed } else { self.middle() }
     }

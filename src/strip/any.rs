@@ -46,7 +46,6 @@ pub fn eight_one_by_one<T: Number>(
     }
 }
 
-#[inline]
 fn carried<T: Number, const ROWS: usize>(
     seen: &[(StripCreepage<T>, T); 8], inner: [T::Base; 8],
     forces: impl Fn(&StripColumns<T::Base>, &mut ForcesAndSlopes<T::Base, ROWS>),

@@ -252,7 +252,6 @@ impl<F: Real> Flexibilities<F> {
 
 impl<T: Number> Distribution<T> {
     /// Without derivatives.
-    #[inline]
     pub(super) fn without_derivatives(&self) -> Distribution<T::Base> {
         Distribution {
             longitudinal: self.longitudinal.value(),
@@ -267,14 +266,12 @@ impl<T: Number> Distribution<T> {
     }
 
     /// `a_x, a_y, ρ, ρ ε, σ` and the start. The creepages of strips are linear in the first four.
-    #[inline]
     pub(super) fn numbers(&self) -> [T; 6] {
         let bent = self.slope * self.bend;
         [self.longitudinal, self.lateral, self.slope, bent, self.spin, self.start]
     }
 
     /// The creepages of one strip, and `σ`.
-    #[inline]
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (StripCreepage<T>, T) {
         let inverse = T::Base::one() / strip.bound;
         let y = strip.y;

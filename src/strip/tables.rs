@@ -52,7 +52,6 @@ pub(super) struct Tables<F: 'static, R> {
 }
 
 impl<F: Float, R> Tables<F, R> {
-    #[inline]
     pub fn new(read: R) -> Self {
         let nodes = table!(F, NODE_TABLE).as_chunks().0;
         Self { nodes, closed: table!(F, closed_table()), read }

@@ -41,7 +41,6 @@ const RATIO_LIMIT: f64 = 1e3;
 /// the right limits.
 const LARGEST_ROOT: f64 = 8.0;
 /// Creepages whose linear force is beyond this are rigid slip, and scaled down together.
-#[inline]
 fn largest_linear_force<T: Number>() -> f64 {
     if size_of::<Stored<T>>() == 4 { 1e4 } else { 1e8 }
 }

@@ -229,7 +229,6 @@ pub extern "C" fn kstrip_result_on_upper_body(
 
 /// kstrip_solve() with one model. (Without any model the library has no such function.)
 #[allow(dead_code)]
-#[inline]
 fn solved_by<M: Theory<F>>(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, strips: i32,
     result: Output<Solution<F>>,
