@@ -107,10 +107,4 @@ impl<F: Float> Solution<F> {
     pub(crate) fn components(&self) -> [F; 3] {
         [self.fx, self.fy, self.mz]
     }
-
-    /// The forces on the upper body: opposite forces and moment, same power.
-    #[must_use]
-    pub fn on_upper_body(&self) -> Self {
-        Self { fx: -self.fx, fy: -self.fy, mz: -self.mz, ..*self }
-    }
 }

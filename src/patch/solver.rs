@@ -15,7 +15,7 @@
 //!   smooth, and gives neither strips nor fields.
 //!
 //! [`Model::Linear`] holds for ellipses only. The linear theory of a patch is the derivative of
-//! [`Model::Strip`] at zero creepage: [`patch_jacobian`].
+//! [`Model::Strip`] at zero creepage.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, normalised};
@@ -38,7 +38,6 @@ use crate::status::{Error, Warning};
 use crate::strip::StripForces;
 use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
-use nalgebra::Matrix3;
 
 /// Forces of a zone's ellipse, the creepage that pressure adds, and the creepages of bristles.
 type ZoneTotals<T> = (Totals<T>, T, Option<ZoneSplit<T>>);
@@ -364,18 +363,6 @@ pub fn solve_patch<F: Float>(
     patch: &PatchView<F>, creepage: &Creepage<F>, model: Model,
 ) -> Result<Solution<F>, Error> {
     Ok(Problem::new(patch, creepage, model)?.solution())
-}
-
-/// Forces and their exact derivatives with respect to the creepages.
-///
-/// # Errors
-/// Those of [`solve_patch`]; [`Error::Overflow`] also when a derivative is too large.
-pub fn patch_jacobian<F: Float>(
-    patch: &PatchView<F>, creepage: &Creepage<F>, model: Model,
-) -> Result<(Solution<F>, Matrix3<F>), Error> {
-    let ((solution, slopes, _), _) = Problem::new(patch, creepage, model)?.with_slopes()?;
-    // nalgebra's index order is by columns.
-    Ok((solution, Matrix3::from(slopes.derivatives.jacobian).transpose()))
 }
 
 /// Passes every strip of the solution to `visit`, ascending in `y`. Their shares add up to the

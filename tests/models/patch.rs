@@ -3,6 +3,7 @@
 
 use crate::patches::motion;
 use crate::prelude::*;
+use kstrip::patch::friction::differentiate_patch;
 
 const WITH_STRIPS: [Model; 3] = [Model::Strip1967, Model::Strip1967Continuous, Model::Strip];
 
@@ -12,8 +13,7 @@ fn solve(patch: &Full, motion: &Creepage<f64>, model: Model) -> Solution<f64> {
 
 fn jacobian(patch: &Full, motion: &Creepage<f64>, model: Model) -> [[f64; 3]; 3] {
     let view = patch.view().unwrap();
-    let (_, j) = solver::patch_jacobian(&view, motion, model).unwrap();
-    std::array::from_fn(|i| std::array::from_fn(|k| j[(i, k)]))
+    differentiate_patch(&view, motion, None, model).unwrap().derivatives.jacobian
 }
 
 /// Irregular patches with motions, and models with strips.
@@ -451,8 +451,8 @@ fn single_precision() {
         let found = force_and_moment(&found).map(f64::from);
         assert_forces(&wanted, found, [6e-7, 2e-6, 5e-9].map(|share| share * unit));
         let view = single.view().unwrap();
-        let (_, slopes) = solver::patch_jacobian(&view, &slow, model).unwrap();
-        assert!(slopes.iter().all(|slope| slope.is_finite()));
+        let slopes = differentiate_patch(&view, &slow, None, model).unwrap().derivatives.jacobian;
+        assert!(slopes.as_flattened().iter().all(|slope| slope.is_finite()));
     }
 }
 
@@ -498,8 +498,11 @@ fn hard_inputs() {
                 refusals += 1;
             }
         }
-        match solver::patch_jacobian(&view, &motion, model) {
-            Ok((_, slopes)) => assert!(slopes.iter().all(|slope| slope.is_finite())),
+        match differentiate_patch(&view, &motion, None, model) {
+            Ok(Differentiated { derivatives, .. }) => {
+                let slopes = derivatives.jacobian;
+                assert!(slopes.as_flattened().iter().all(|slope| slope.is_finite()));
+            }
             Err(error) => assert_eq!(error, Error::Overflow),
         }
         if let Ok(field) = PatchField::new(&view, &motion, None, model) {

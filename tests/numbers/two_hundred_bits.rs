@@ -136,8 +136,8 @@ fn answer<F: Float>(road: Road, model: Model, inputs: &Inputs) -> Result<Answer<
         }
         Road::Patch(strips) => {
             let patch = patch(strips, inputs);
-            let (found, slopes) = solver::patch_jacobian(&patch.view()?, &creepage, model)?;
-            (found, rows(slopes))
+            let found = friction::differentiate_patch(&patch.view()?, &creepage, None, model)?;
+            (found.solution, found.derivatives.jacobian)
         }
         Road::Falling => {
             let found = differentiate_with_law(&contact, &creepage, Some(&law), &options)?;

@@ -109,7 +109,7 @@ fn creepage_is_the_velocity_of_the_upper_over_the_lower_body() {
     assert_eq!(faint, Err(kstrip::status::Error::Overflow));
 }
 
-/// A braked wheel is pushed backwards: force on the lower body along +x, on the wheel along −x.
+/// A braked wheel is pushed backwards: the force on the lower body is along +x.
 #[test]
 fn braked_wheel_is_held_back() {
     let c = theory::contact(1.0, 0.28);
@@ -117,6 +117,4 @@ fn braked_wheel_is_held_back() {
         Creepage::from_velocities(&at(-20.0, 0.0, 0.0), &at(-19.98, 0.0, 0.0), 20.0).unwrap();
     let on_rail = solved(&c, &motion, &kstrip::forces::Options::default());
     assert!(on_rail.fx > 0.0 && on_rail.power > 0.0);
-    let on_wheel = on_rail.on_upper_body();
-    assert_eq!((on_wheel.fx, on_wheel.power), (-on_rail.fx, on_rail.power));
 }
