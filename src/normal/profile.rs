@@ -139,6 +139,29 @@ impl<'a, F: Float> Profile<'a, F> {
         self.interpolated(self.distance, 1, Dual::<F, 0>::from_base(y)).value
     }
 
+    /// The least and the largest distance of the points that are nearer to a place than a reach.
+    /// The largest is at most `none`. `from` is the number of the first point that is not before
+    /// the place.
+    pub(super) fn range_near(&self, [place, reach, none]: [F; 3], from: usize) -> [F; 2] {
+        let point = |k: usize| Some((*self.y.get(k)?, *self.distance.get(k)?));
+        let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
+        let mut add = |k: usize| match point(k) {
+            Some((y, distance)) if (y - place).abs() < reach => {
+                (low, high) = (low.min(distance), high.max(distance.min(none)));
+                true
+            }
+            _ => false,
+        };
+        let (mut ahead, mut behind) = (from, from);
+        while add(ahead) {
+            ahead += 1;
+        }
+        while behind > 0 && add(behind - 1) {
+            behind -= 1;
+        }
+        [low, high]
+    }
+
     /// Interpolates linearly between the points of a list, which is this one of those that move.
     fn interpolated<const N: usize>(&self, list: &[F], number: usize, y: Dual<F, N>) -> Dual<F, N> {
         let next = self.y.partition_point(|place| *place < y.value);

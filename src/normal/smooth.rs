@@ -82,28 +82,6 @@ pub(super) fn length_for<F: Float, const N: usize>(half_width: Dual<F, N>) -> Du
     small / ratio.plus(1.0).sqrt().sqrt()
 }
 
-/// The least and the largest distance of the points that are nearer to a place than a reach, of the
-/// largest at most `none`. `from` is the number of the first point that is not before the place.
-fn range_near<F: Float>(profile: &Profile<F>, [place, reach, none]: [F; 3], from: usize) -> [F; 2] {
-    let point = |k: usize| Some((*profile.y.get(k)?, *profile.distance.get(k)?));
-    let (mut low, mut high) = (F::LARGEST, -F::LARGEST);
-    let mut add = |k: usize| match point(k) {
-        Some((y, distance)) if (y - place).abs() < reach => {
-            (low, high) = (low.min(distance), high.max(distance.min(none)));
-            true
-        }
-        _ => false,
-    };
-    let (mut ahead, mut behind) = (from, from);
-    while add(ahead) {
-        ahead += 1;
-    }
-    while behind > 0 && add(behind - 1) {
-        behind -= 1;
-    }
-    [low, high]
-}
-
 impl<F: Float, const N: usize> SmoothedProfile<F, N> {
     /// The curve of a profile smoothed over a length, where its points are less than `level` above
     /// the lowest.
@@ -278,7 +256,7 @@ impl<F: Float, const N: usize> SmoothedProfile<F, N> {
             if near.iter().all(|distance| *distance > none) {
                 return false;
             }
-            let [low, high] = range_near(profile, [place, reach, none], from);
+            let [low, high] = profile.range_near([place, reach, none], from);
             low - (high - low).times(FALL) < F::zero()
         };
         let mut first = 0;

@@ -27,10 +27,8 @@ use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, O
 use crate::friction::layered::InterfaceSlopes;
 use crate::friction::{FrictionEquation, FrictionSolution, SlipFriction};
 use crate::layer::Interface;
-use crate::number::{Dual, Float, few_are_finite};
+use crate::number::{Float, few_are_finite};
 use crate::patch::PatchView;
-pub(crate) use crate::patch::slip::{By, creepage_at};
-use crate::patch::slip::{PatchSlip, Share};
 use crate::patch::solver::{self, Problem};
 use crate::status::{Error, Warning};
 
@@ -99,9 +97,9 @@ pub(super) struct FrictionProblem<'a, F: Float> {
     /// At the given creepage, with the layer of the law.
     problem: Problem<'a, F>,
     /// The law for friction in units of that without slip.
-    law: SlipFriction<F>,
+    pub law: SlipFriction<F>,
     /// `Σ μ₀ N`
-    bound: F,
+    pub bound: F,
     /// Upper bound of the slip of all points, divided by the rolling speed.
     rigid_slip: F,
 }
@@ -256,89 +254,6 @@ fn size_derivatives<F: Float>(
         friction: [mx, my, mz],
         ..Derivatives::default()
     }
-}
-
-/// Forces of one strip at its own centre, with derivatives while the share `λ` stays.
-pub(crate) struct AtStrip<F> {
-    /// `fx, fy, mz`
-    pub forces: [F; 3],
-    /// Their derivatives, row by row.
-    pub slopes: [[F; 3]; 3],
-    /// Power divided by rolling speed.
-    pub power: F,
-    pub power_slopes: [F; 3],
-}
-
-/// Friction and warning of a solution whose strips were visited.
-pub(crate) struct Visited<F: Float> {
-    /// `λ`
-    pub share: F,
-    /// `Σ μ₀ N`
-    pub bound: F,
-    /// The law without its coefficient, and whether friction falls.
-    pub law: SlipFriction<F>,
-    pub falls: bool,
-    pub warning: Warning,
-}
-
-/// Passes the forces of every strip to `visit`, with derivatives if there are `SLOPES`.
-pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
-    patch: &PatchView<F>, creepage: &Creepage<F>, law: Option<&SlipFriction<F>>,
-    (model, by): (Model, Option<By>), visit: &mut dyn FnMut(usize, &AtStrip<F>),
-) -> Result<Visited<F>, Error> {
-    let problem = FrictionProblem::new(patch, creepage, law, model)?;
-    let (share, warning) = problem.agreement()?;
-    let at_share = problem.scaled(share)?;
-    let (solver, Scaled { creepage, behind, factor, .. }) = (at_share.problem()?, &at_share);
-    // F = λ f(k c/λ), P = λ²/k p(k c/λ)
-    let power_unit = share / *factor;
-    let (unit, power_slope_unit) = match by {
-        Some(By::Mismatch) => (share, power_unit),
-        _ => (share * *factor, share),
-    };
-    let mut number = 0;
-    let mut take = |found: AtStrip<F>| {
-        let AtStrip { forces, slopes, power, power_slopes } = found;
-        visit(
-            number,
-            &AtStrip {
-                forces: scaled(forces, share),
-                slopes: slopes.map(|row| scaled(row, unit)),
-                power: power * power_unit,
-                power_slopes: scaled(power_slopes, power_slope_unit),
-            },
-        );
-        number += 1;
-    };
-    if let Some(by) = by.filter(|_| SLOPES) {
-        let slip = PatchSlip::with_slopes(creepage, *behind, by);
-        solver.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
-            let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
-            // from the creepage at the origin to that at the centre
-            let at_centre = |[x, y, spin]: [F; 3]| match by {
-                By::Creepages => [x, y, spin + x * strip.y - y * strip.centre_x],
-                _ => [x, y, spin],
-            };
-            let forces = [share.fx, share.fy, moment];
-            take(AtStrip {
-                forces: forces.map(|force| force.value),
-                slopes: forces.map(|force| at_centre(force.gradient)),
-                power: power.value,
-                power_slopes: at_centre(power.gradient),
-            });
-        });
-    } else {
-        let none = [F::zero(); 3];
-        let slip = PatchSlip::new(creepage, *behind);
-        solver.shares(&slip, &mut |strip, share: Share<F>| {
-            let power = share.power(creepage);
-            let forces = [share.fx, share.fy, share.about_centre(strip)];
-            take(AtStrip { forces, slopes: [none; 3], power, power_slopes: none });
-        });
-    }
-    let (bound, law, falls) = (problem.bound, problem.law, problem.law.falls());
-    let warning = problem.warning(solver.warning(), warning);
-    Ok(Visited { share, bound, law, falls, warning })
 }
 
 /// Passes every strip of the solution at a share `λ` of friction to `visit`, as

@@ -14,9 +14,11 @@
 //! The model STRIP needs an axis ratio. It uses that of an equivalent ellipse of the strips around
 //! ([`zones`]).
 
+pub(crate) mod each_strip;
 pub mod field;
 pub mod friction;
 mod shares;
+mod sizes;
 mod slip;
 pub mod solver;
 mod stored;

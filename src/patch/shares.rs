@@ -5,8 +5,9 @@ use crate::contact::creepage::{Creepage, normalised};
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
+use crate::patch::sizes::Widths;
 use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
-use crate::patch::zones::{Widths, Zone};
+use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
 use crate::strip::{
     Distribution, Flexibilities, StripCreepage, StripForces, StripGeometry, eight_strips,

@@ -3,7 +3,8 @@
 use crate::contact::creepage::Creepage;
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::{Float, pairs};
-use crate::patch::zones::{Extremes, Sizes, Zone};
+use crate::patch::sizes::{Extremes, Sizes};
+use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, QuadratureScale};
 use crate::status::Error;
 

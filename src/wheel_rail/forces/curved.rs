@@ -23,7 +23,7 @@ use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Rolling;
 use crate::number::{Float, add, at};
-use crate::patch::friction::{AtStrip, By, Visited, creepage_at, each_strip};
+use crate::patch::each_strip::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
