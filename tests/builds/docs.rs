@@ -815,8 +815,9 @@ fn costs_in_prose_are_those_of_the_counts() {
 
 /// A batch costs no more than a loop of `kstrip_evaluate`, with derivatives and with falling
 /// friction too. Its derivatives cost at most .65 of those of a loop, of STRIP .92, whose strips
-/// fill a register (where registers are wide, as on the machine of the counts). A layer costs TOTAL at most 6000 instructions, and
-/// 20 000 with derivatives; a prepared contact of LINEAR at most 100 (105 in single precision).
+/// fill a register (where registers are wide, as on the machine of the counts). A layer costs TOTAL
+/// at most 6000 instructions, and 20 000 with derivatives; a prepared contact of LINEAR at most 100
+/// (105 in single precision).
 #[test]
 fn calls_cost_what_they_may() {
     for (precision, most) in [("f64", 100.0), ("f32", 105.0)] {
