@@ -191,6 +191,17 @@ pub(crate) fn reverse<T>(mut slice: &mut [T]) {
     }
 }
 
+/// `1/x` of each, two at a time; an even number of them.
+#[inline(always)]
+pub(crate) fn inverses<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
+    for two in numbers.chunks_exact_mut(2) {
+        if let [p, q] = two {
+            (*p, *q) = T::Pair::couple(*p, *q).inverse().parts();
+        }
+    }
+    numbers
+}
+
 /// `yes` where a number is positive, else `no`.
 #[inline(always)]
 pub(crate) fn choose_each<T: Number, const N: usize>(by: T, yes: [T; N], mut no: [T; N]) -> [T; N] {

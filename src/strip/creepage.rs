@@ -10,7 +10,7 @@ use super::long::LongContact;
 use super::network::{INPUTS, StripNetwork};
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, scaled_down};
+use crate::number::{Arithmetic, Number, Pair, Real, Strips, add, inverses, scaled_down};
 use core::f64::consts::PI;
 
 /// Creepages beyond this are scaled down together, because the contact slides fully. Their fourth
@@ -162,11 +162,11 @@ impl<F: Real> Flexibilities<F> {
 
         // Every quotient (s − c)/(s + c) is computed as 1 − 2 c/(s + c), two divisions at a time.
         let (by_x, by_y) = size.plus(1.0).inverse().parts();
-        let (over_x, over_y) = inverses((x2 + px2).plus(0.02), (y2 + py2).plus(0.02));
-        let (by_s, by_few) = inverses(ss.plus(1.0), ss.plus(0.1));
-        let (by_less, by_more) = inverses(ss.plus(0.3), ss.plus(2.0));
-        let (by_t, by_q) = inverses(t2.plus(0.1), q2.plus(1.0));
-        let (by_n, by_n2) = inverses(q2.plus(WIDTH), q2.plus(WIDTH2));
+        let [over_x, over_y] = inverses([(x2 + px2).plus(0.02), (y2 + py2).plus(0.02)]);
+        let [by_s, by_few] = inverses([ss.plus(1.0), ss.plus(0.1)]);
+        let [by_less, by_more] = inverses([ss.plus(0.3), ss.plus(2.0)]);
+        let [by_t, by_q] = inverses([t2.plus(0.1), q2.plus(1.0)]);
+        let [by_n, by_n2] = inverses([q2.plus(WIDTH), q2.plus(WIDTH2)]);
         let features: [T; INPUTS] = [
             (x2 - px2) * over_x,
             (vy * py).times(2.0) * over_y,
@@ -288,12 +288,6 @@ impl<T: Number> Distribution<T> {
         );
         (StripCreepage { x, y, spread, start: self.start }, spin)
     }
-}
-
-/// `1/x` of both.
-#[inline(always)]
-pub(super) fn inverses<T: Number>(first: T, second: T) -> (T, T) {
-    T::Pair::couple(first, second).inverse().parts()
 }
 
 /// `1 − q c`

@@ -5,11 +5,10 @@
 //! corrections of a second network are added, which was fitted to long contacts alone. Their weight
 //! has two continuous derivatives and is one from 3.75 on. No paper has these corrections.
 
-use super::creepage::inverses;
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
 use crate::number::tables::{add_rows_to, evens_first, every_second, table, widen};
-use crate::number::{Number, Real, Strips};
+use crate::number::{Number, Real, Strips, inverses};
 use crate::numerics::ramp;
 
 const UNITS: usize = OUTPUT.len();
@@ -65,12 +64,12 @@ impl<F: Real> LongContact<F> {
         &self, shared: [T; SHARED], [lx, ly, ls]: [T; 3], [x2, y2, p2]: [T; 3], turn: T, psi: T,
     ) -> [T; CORRECTIONS] {
         // Quotient of the rigid slip of creepage and of spin at the ends of the long axis.
-        let (over_x, over_y) = inverses((x2 + p2).shift(self.small), (y2 + p2).shift(self.small));
+        let [over_x, over_y] = inverses([(x2 + p2).shift(self.small), (y2 + p2).shift(self.small)]);
         // Quotients of the linear forces, their total, and |ψ|.
         let (lx2, ly2, ls2) = (lx * lx, ly * ly, ls * ls);
-        let (by_ys, by_xs) = inverses((ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01));
-        let (by_less, by_more) = inverses(psi.plus(0.3), psi.plus(1.0));
-        let (by_xy, by_far) = inverses((lx2 + ly2).plus(0.01), (lx2 + ly2 + ls2).plus(300.0));
+        let [by_ys, by_xs] = inverses([(ly2 + ls2).plus(0.01), (lx2 + ls2).plus(0.01)]);
+        let [by_less, by_more] = inverses([psi.plus(0.3), psi.plus(1.0)]);
+        let [by_xy, by_far] = inverses([(lx2 + ly2).plus(0.01), (lx2 + ly2 + ls2).plus(300.0)]);
         let [x, y, spin, couple, few, less, more, all] = shared;
         let inputs: [T; INPUTS] = [
             (x2 - p2) * over_x,

@@ -32,7 +32,7 @@ use self::rigid_slip::RigidSlip;
 use crate::contact::totals::Totals;
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
-use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips};
+use crate::number::{Arithmetic, Number, Pair, Real, Stored, Strips, inverses};
 
 /// Limits of the axis ratio with which the formulas are evaluated. They are fitted for 0.015 to 60,
 /// rigid slip for 1/70 to 70.
@@ -302,15 +302,4 @@ fn within_range<T: Number>(mut creepage: [T; 3], slopes: [T::Base; 3]) -> [T; 3]
         creepage = T::each(&creepage, |v| v.scale(factor));
     }
     creepage
-}
-
-/// `1/x` of each, two at a time; an even number of them.
-#[inline(always)]
-fn inverses<T: Number, const N: usize>(mut numbers: [T; N]) -> [T; N] {
-    for two in numbers.chunks_exact_mut(2) {
-        if let [p, q] = two {
-            (*p, *q) = T::Pair::couple(*p, *q).inverse().parts();
-        }
-    }
-    numbers
 }
