@@ -14,7 +14,7 @@ from ._batch import Batch
 from ._calls import Elements, optional
 from ._inputs import Many, is_single
 from ._library import dtype_of
-from .values import Creepage, Friction, Motion, WheelContact, WheelPair, WheelVelocity, Wrench
+from .values import Creepage, Friction, Motion, PatchStrip, WheelContact, WheelPair, WheelVelocity, Wrench
 
 
 class _Lists:
@@ -37,36 +37,39 @@ _lists = {single: _Lists(single) for single in (False, True)}
 class KeptContacts:
     """Collects the contacts that the calls for wheels leave in a workspace, which begins at a place of the memory [bytes]."""
 
-    def __init__(self, memory: bytearray, single: bool, at: int = 0):
+    def __init__(self, single: bool, at: int = 0):
         self._lists, self._dtype = _lists[single], dtype_of("wheel_contact", single)
-        self._memory, self._begin, self._number_at = memory, at + self._lists.begin, at + self._lists.number_at
-        self.parts: list[bytearray] = []
+        self._begin, self._number_at = at + self._lists.begin, at + self._lists.number_at
+        self._parts: list[bytearray] = []
 
-    def __call__(self, status: int) -> None:
-        """Takes the contacts of a wheel, after the call with this status."""
+    def take(self, workspace: bytearray, status: int) -> bytearray:
+        """The contacts of a wheel, after the call with this status."""
         size, count_at = self._lists.size, self._lists.count_at
-        number = int.from_bytes(self._memory[self._number_at : self._number_at + 4], sys.byteorder) if status >= 0 else 0
-        kept = self._memory[self._begin : self._begin + size * number]
+        number = int.from_bytes(workspace[self._number_at : self._number_at + 4], sys.byteorder) if status >= 0 else 0
+        kept = workspace[self._begin : self._begin + size * number]
         for first in range(0, len(kept), size):
             # The library does not write the strips that a contact does not use.
             used = int.from_bytes(kept[first + count_at : first + count_at + 4], sys.byteorder)
             for begin, distance, end in self._lists.places:
                 kept[first + begin + used * distance : first + end] = bytes(end - begin - used * distance)
-        self.parts.append(kept)
+        return kept
+
+    def keep(self, parts: list[bytearray]) -> None:
+        """Keeps the contacts of the next wheels."""
+        self._parts += parts
 
     def batch(self, elements: Elements) -> Batch[WheelContact]:
         """The contacts of one wheel; or of many, with zeros behind those of a wheel that has fewer than another one."""
-        most = max(map(len, self.parts), default=0)
-        data = bytearray().join(part.ljust(most, b"\0") for part in self.parts)
+        most = max(map(len, self._parts), default=0)
+        data = bytearray().join(part.ljust(most, b"\0") for part in self._parts)
         shape = (*elements.shape, most // self._dtype.itemsize)
         return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
 
 
 def contacts_in(memory: bytearray, requested: bool, at: int = 0) -> Batch[WheelContact]:
     """The contacts of one wheel in a workspace; none if they are not requested."""
-    kept = KeptContacts(memory, False, at)
-    kept(0 if requested else -1)
-    return Batch(WheelContact, np.frombuffer(kept.parts[0], dtype_of("wheel_contact", False)))
+    kept = KeptContacts(False, at).take(memory, 0 if requested else -1)
+    return Batch(WheelContact, np.frombuffer(kept, dtype_of("wheel_contact", False)))
 
 
 def wheel_motion(contacts: Many[WheelContact], velocity: Many[WheelVelocity], on_error: str = "raise") -> Any:
@@ -101,6 +104,14 @@ class OfContacts:
     def counts(self) -> Any:
         """Number of contacts of each wheel."""
         return self.wrench.contacts
+
+    @property
+    def strips(self) -> Batch[PatchStrip]:
+        """The strips of each contact: place, width, half length, pressure, friction. Shape (shape of `contacts`, most strips of a contact);
+        those of a contact are its first `contacts.patch.count` ones, and the others are zero."""
+        most = int(np.max(self.contacts.patch.count, initial=0))
+        strips: Batch[PatchStrip] = self.contacts.patch.strips[..., :most]
+        return strips
 
     @property
     def creepages(self) -> Batch[Creepage]:

@@ -95,6 +95,11 @@ def is_single(*arguments: Any) -> bool:
     return found
 
 
+def is_many(value: Any) -> bool:
+    """Whether an argument has dimensions."""
+    return value.ndim > 0 if isinstance(value, Batch) else not isinstance(value, (Value, float, int, type(None))) and np.ndim(value) > 0
+
+
 def _described(value: Any) -> str:
     """What an argument is, for messages."""
     if isinstance(value, Batch):

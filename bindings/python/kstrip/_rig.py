@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._batch import Batch, layout_of
-from ._calls import Elements, optional, zeros
+from ._calls import Elements, optional, sweep_of, zeros
 from ._inputs import Many, Model, array_of, count_of, is_single, numbers, one, options
 from ._library import constants, dtype_of, function_of
 from ._status import KstripError, report
@@ -19,39 +19,45 @@ _FX, _FY = constants["KSTRIP_MEASURED_FX"], constants["KSTRIP_MEASURED_FY"]
 
 
 def estimate_friction(contact: Many[Contact], creepage: Many[Creepage], *, fx: Optional[ArrayLike] = None, fy: Optional[ArrayLike] = None,
-                      model: Model = "default", strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise") -> Any:
+                      model: Model = "default", strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise",
+                      threads: int = 1, progress: bool = False) -> Any:
     """The friction that explains a measured force [N] on the lower body: friction, sensitivity, residual, status_detail.
 
     Give fx, fy or both; the friction of the contact does not count, nor does that of a law. All arguments broadcast.
-    on_error: "raise" or "nan", as in solve().
+    on_error, threads, progress: as in solve().
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.0)
     >>> kstrip.estimate_friction(contact, kstrip.creepage(3e-3), fx=[10e3, 15e3]).friction.round(3)
     array([0.125, 0.192])
     """
+    sweep = sweep_of(threads, progress)
     elements = Elements(is_single(contact, creepage, law), on_error, contact=(Contact, contact), creepage=(Creepage, creepage),
                         law=optional(Friction, law), fx=(float, 0.0 if fx is None else fx), fy=(float, 0.0 if fy is None else fy))
     made, places = elements.out("friction_estimate")
     measured = (_FX if fx is not None else 0) | (_FY if fy is not None else 0)
     columns = elements.columns
     found = elements.run("kstrip_estimate_friction", columns["contact"], columns["creepage"], columns["law"], repeat(options(model, strips)),
-                         repeat(measured), columns["fx"], columns["fy"], places)
+                         repeat(measured), columns["fx"], columns["fy"], places, sweep=sweep)
     statuses = elements.statuses(found, made)
     return elements.report(elements.result(FrictionEstimate, made, statuses), statuses)
 
 
 def creepage_for_force(contact: Many[Contact], fx: ArrayLike, fy: ArrayLike, spin: ArrayLike = 0.0, model: Model = "default",
-                       strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise") -> Any:
+                       strips: int = 0, law: Optional[Many[Friction]] = None, on_error: str = "raise", threads: int = 1,
+                       progress: bool = False) -> Any:
     """The creepage at which a contact with a given spin [1/m] carries a requested force [N] on the lower body; all arguments broadcast.
+
+    on_error, threads, progress: as in solve().
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
     >>> print(f"{kstrip.creepage_for_force(contact, 12e3, 0.0).longitudinal:.5f}")
     0.00145
     """
+    sweep = sweep_of(threads, progress)
     elements = Elements(is_single(contact, law), on_error, contact=(Contact, contact), fx=(float, fx), fy=(float, fy), spin=(float, spin),
                         law=optional(Friction, law))
     made, places = elements.out("creepage")
-    found = elements.run("kstrip_creepage_for_force", *elements.columns.values(), repeat(options(model, strips)), places)
+    found = elements.run("kstrip_creepage_for_force", *elements.columns.values(), repeat(options(model, strips)), places, sweep=sweep)
     statuses = elements.statuses(found, made)
     return elements.report(elements.result(Creepage, made, statuses), statuses)
 

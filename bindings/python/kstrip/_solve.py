@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._batch import Batch, layout_of
-from ._calls import Elements, address, call, optional, zeros
+from ._calls import Elements, Sweep, address, call, optional, sweep_of, zeros
 from ._inputs import Many, Model, Plain, array_of, count_of, floats, is_single, one, options, wrong
 from ._library import constants, dtype_of, dtypes, lib
 from ._group import Group
@@ -81,12 +81,12 @@ _contact, _creepage, _friction, _result = layout_of(Contact), layout_of(Creepage
 @overload
 def solve(  # type: ignore[overload-overlap]  # pyright: ignore[reportOverlappingOverload]
         contacts: Union[Contact, Patch], creepages: Creepage, friction: Optional[Friction] = None, model: Model = "default",
-        strips: int = 0, on_error: str = "raise") -> Result: ...
+        strips: int = 0, on_error: str = "raise", threads: int = 1, progress: bool = False) -> Result: ...
 @overload
 def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
-          model: Model = "default", strips: int = 0, on_error: str = "raise") -> Batch[Result]: ...
+          model: Model = "default", strips: int = 0, on_error: str = "raise", threads: int = 1, progress: bool = False) -> Batch[Result]: ...
 def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
-          model: Model = "default", strips: int = 0, on_error: str = "raise") -> Any:
+          model: Model = "default", strips: int = 0, on_error: str = "raise", threads: int = 1, progress: bool = False) -> Any:
     """Forces on the lower body of contacts, or of one patch, in motion.
 
     contacts, creepages: of contact() and creepage(); they broadcast. One contact with one creepage has one result, arrays have a batch.
@@ -94,6 +94,8 @@ def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], fric
     model: "default", "total", "strip", "strip_1967", "strip_1967_continuous", "linear". strips: 4, 8, 16, 32 or 64; 0: 16.
     on_error: of arrays: "raise" raises KstripError, which has the results of the other elements; "nan" returns NaN for a bad element, and
         its status in `statuses`.
+    threads: of arrays: the elements are computed in so many threads. The results have the same bits for any number, and other threads of
+        the program run meanwhile. progress: a bar shows the progress if tqdm is installed.
     Warns by KstripWarning.
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
@@ -108,7 +110,8 @@ def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], fric
             report(status)
         return result
     try:
-        return evaluate(contacts, creepages, friction, model, strips, derivatives=False, on_error=on_error).result
+        return evaluate(contacts, creepages, friction, model, strips, derivatives=False, on_error=on_error, threads=threads,
+                        progress=progress).result
     except KstripError as error:
         error.results = getattr(error.results, "result", None)
         raise
@@ -116,7 +119,7 @@ def solve(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], fric
 
 def evaluate(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], friction: Optional[Many[Friction]] = None,
              model: Model = "default", strips: int = 0, *, derivatives: bool = True, law_derivatives: bool = False,
-             own: Optional[Batch[Creepage]] = None, on_error: str = "raise") -> Evaluation:
+             own: Optional[Batch[Creepage]] = None, on_error: str = "raise", threads: int = 1, progress: bool = False) -> Evaluation:
     """Forces, the friction that agrees with the slip, and derivatives; of contacts or of one patch.
 
     Arguments as in solve(). The derivatives have the shape of the results; `derivatives.jacobian` has (3, 3) behind it, the derivatives of
@@ -133,10 +136,10 @@ def evaluate(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], f
         return _evaluate_one(contacts, creepages, friction, options(model, strips), bool(derivatives), bool(law_derivatives))
     wanted = ("result", *["derivatives"] * bool(derivatives), *["law_derivatives"] * bool(law_derivatives))
     if is_patch(contacts):
-        return _evaluate_patch(contacts, creepages, friction, model, strips, wanted, own, on_error)
+        return _evaluate_patch(contacts, creepages, friction, model, strips, wanted, own, on_error, sweep_of(threads, progress))
     if own is not None:
         raise ValueError("own is for one patch")
-    return _evaluate_batch(contacts, creepages, friction, model, strips, wanted, on_error)
+    return _evaluate_batch(contacts, creepages, friction, model, strips, wanted, on_error, sweep_of(threads, progress))
 
 
 def _evaluate_one(contact: Contact, creepage: Creepage, law: Optional[Friction], chosen: Optional[bytes], derivatives: bool, laws: bool) -> Evaluation:
@@ -166,7 +169,8 @@ def _own(own: Any, patch: bytes, single: bool) -> Optional[bytes]:
     return given.tobytes()
 
 
-def _evaluate_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], own: Any, on_error: str) -> Evaluation:
+def _evaluate_patch(area: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], own: Any, on_error: str,
+                    sweep: Sweep) -> Evaluation:
     """One patch: a call for each creepage."""
     single = is_single(area, creepages, law, own)
     patch = one("contacts", Patch, area, single)
@@ -176,7 +180,7 @@ def _evaluate_patch(area: Any, creepages: Any, law: Any, model: Model, strips: i
     places = [made[name][1] if name in made else repeat(0) for name in ("result", "derivatives", "law_derivatives")]
     outputs = map(_OUTPUTS.pack, *places, third, *[repeat(0)] * 4)
     found = elements.run("kstrip_patch_evaluate_strips", repeat(patch), elements.columns["creepages"], repeat(_own(own, patch, single)),
-                         elements.columns["friction"], repeat(options(model, strips)), outputs)
+                         elements.columns["friction"], repeat(options(model, strips)), outputs, sweep=sweep)
     arrays = {name: array for name, (array, _) in made.items()}
     statuses = elements.statuses(found, *arrays.values(), shared)
     return elements.report(_evaluation(elements, arrays, shared, statuses), statuses)
@@ -188,8 +192,13 @@ def _evaluation(elements: Elements, arrays: dict[str, Any], friction: Plain, sta
     return Evaluation(parts["result"], elements.numbers(friction), parts.get("derivatives"), parts.get("law_derivatives"), statuses)
 
 
-def _evaluate_batch(contacts: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], on_error: str) -> Evaluation:
-    """Many contacts: one call of kstrip_evaluate_batch(), and more of them only where an element is bad."""
+#: Contacts that one thread computes before it takes others
+_PART = 8192
+
+
+def _evaluate_batch(contacts: Any, creepages: Any, law: Any, model: Model, strips: int, wanted: tuple[str, ...], on_error: str,
+                    sweep: Sweep) -> Evaluation:
+    """Many contacts: one call of kstrip_evaluate_batch() for all, or for each part, and more of them only where an element is bad."""
     elements = Elements(is_single(contacts, creepages, law), on_error, contacts=(Contact, contacts), creepages=(Creepage, creepages),
                         friction=optional(Friction, law))
     inputs = [word for name in ("contacts", "creepages") for word in _members(*elements.array(name))]
@@ -200,7 +209,15 @@ def _evaluate_batch(contacts: Any, creepages: Any, law: Any, model: Model, strip
     outputs += [(array.ctypes.data, array.itemsize) if array is not None else (0, 0)
                 for array in (friction, arrays.get("derivatives"), arrays.get("law_derivatives"))]
     found = np.zeros(count_of(elements.count), np.int32)
-    _solve_all(elements.single, np.array(inputs, np.intp), np.array(outputs, np.intp), options(model, strips), found)
+    places, size = (np.array(inputs, np.intp), np.array(outputs, np.intp)), _PART if sweep != Sweep() else max(1, elements.count)
+
+    def work(begin: int) -> int:
+        end = min(begin + size, elements.count)
+        _solve_all(elements.single, *places, options(model, strips), found, begin, end)
+        return end - begin
+
+    with sweep.bar(elements.count, "evaluate") as show:
+        sweep.each(range(0, elements.count, size), work, show)
     found = np.where(found < 0, found, arrays["result"]["status_detail"].reshape(-1))
     statuses = elements.statuses(found, *arrays.values(), friction)
     return elements.report(_evaluation(elements, arrays, friction, statuses), statuses)
@@ -212,10 +229,9 @@ def _members(array: Plain, distance: int) -> list[tuple[int, int]]:
     return [(first + field[1], distance) for name, field in fields.items() if name != "reserved"]
 
 
-def _solve_all(single: bool, inputs: Plain, outputs: Plain, chosen: Optional[bytes], found: Plain, begin: int = 0, end: Optional[int] = None) -> None:
-    """Solves all elements but the bad ones, whose statuses it writes: the library solves none if one is bad."""
+def _solve_all(single: bool, inputs: Plain, outputs: Plain, chosen: Optional[bytes], found: Plain, begin: int, end: int) -> None:
+    """Solves the elements of a part but the bad ones, whose statuses it writes: the library solves none if one is bad."""
     function, bad = (lib.kstrip_evaluate_batch_f32 if single else lib.kstrip_evaluate_batch), np.zeros((), np.uint32)
-    end = found.size if end is None else end
     while True:
         moved = inputs.copy(), outputs.copy()
         for words in moved:
@@ -232,20 +248,23 @@ def _solve_all(single: bool, inputs: Plain, outputs: Plain, chosen: Optional[byt
 
 
 def solve_motion(contacts: Many[Contact], motions: Many[Motion], friction: Optional[Many[Friction]] = None, model: Model = "default",
-                 strips: int = 0, *, derivatives: bool = True, on_error: str = "raise") -> MotionEvaluation:
+                 strips: int = 0, *, derivatives: bool = True, on_error: str = "raise", threads: int = 1, progress: bool = False) -> MotionEvaluation:
     """Forces of contacts that roll forward, backward or not at all, with derivatives; contacts, motions and friction broadcast.
+
+    on_error, threads, progress: as in solve().
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
     >>> found = kstrip.solve_motion(contact, kstrip.motion(slip_x=1e-3, rolling_speed=[-10.0, 0.0, 10.0]))
     >>> found.result.fx.round()
     array([  994., 24000.,   994.])
     """
+    sweep = sweep_of(threads, progress)
     elements = Elements(is_single(contacts, motions, friction), on_error, contacts=(Contact, contacts), motions=(Motion, motions),
                         friction=optional(Friction, friction))
     (results, first), (shared, third) = elements.out("result"), elements.real()
     slopes, second = elements.out("motion_derivatives") if derivatives else (None, repeat(0))
     found = elements.run("kstrip_solve_motion", *elements.columns.values(), repeat(options(model, strips)),
-                         map(_MOTION_OUTPUTS.pack, first, second, third))
+                         map(_MOTION_OUTPUTS.pack, first, second, third), sweep=sweep)
     statuses = elements.statuses(found, results, slopes, shared)
     made = MotionEvaluation(elements.result(Result, results, statuses), elements.numbers(shared),
                             None if slopes is None else elements.result(MotionDerivatives, slopes, statuses), statuses)

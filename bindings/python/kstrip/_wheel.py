@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ._batch import Batch
-from ._calls import Elements, Space, are_values, call, call_for_values, copy_of, memory, optional, zeros
+from ._calls import Elements, Workspace, are_values, call, call_for_values, copy_of, memory, optional, sweep_of, zeros
 from ._contacts import KeptContacts, OfContacts, contacts_in
 from ._group import Group
 from ._inputs import Many, check, count_of, floats, is_single, number, precision
@@ -127,24 +127,23 @@ class WheelOnRail(OfContacts, Group):
     statuses: Any
 
 
-def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any], Space]:
-    """Elements, the columns of rail and wheel, and the workspace."""
+def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any]]:
+    """Elements, and the columns of rail and wheel."""
     single = is_single(rail, wheel, friction, *(value for _, value in given.values()))
     profiles = [repeat(prepared("rail", rail, single)), repeat(prepared("wheel", wheel, single))]
-    elements = Elements(single, on_error, **given, friction=optional(Friction, friction))
-    return elements, profiles, memory.of("wheel_workspace", single)
+    return Elements(single, on_error, **given, friction=optional(Friction, friction)), profiles
 
 
 def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition],
                   velocity: Many[WheelVelocity], friction: Optional[Many[Friction]] = None, by_position: bool = False, contacts: bool = True,
-                  on_error: str = "raise") -> WheelOnRail:
+                  on_error: str = "raise", threads: int = 1, progress: bool = False) -> WheelOnRail:
     """Force and moment on wheels of prepared profiles, their derivatives and their contacts.
 
     rail, wheel: one each, by prepare_profile() or Profile.prepare(). pair: wheel_pair(). position: wheel_position(), whose
     `vertical` height_for_load() finds. velocity: wheel_velocity(). friction: a law of friction() that falls with the slip.
     pair, position, velocity and friction broadcast: two wheels at all positions are one call.
     by_position: also the derivatives with respect to the position. contacts: False leaves them out, for many wheels.
-    on_error: "raise" or "nan", as in solve().
+    on_error, threads, progress: as in solve().
 
     >>> position = kstrip.wheel_position(lateral=-6e-3)
     >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
@@ -156,12 +155,14 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     """
     if on_error == "raise" and are_values(pair, position, velocity, friction) and not is_single(rail):
         return _one_wheel(rail, wheel, pair, position, velocity, friction, by_position, contacts)
-    elements, profiles, space = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
-                                          velocity=(WheelVelocity, velocity))
+    sweep = sweep_of(threads, progress)
+    elements, profiles = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                   velocity=(WheelVelocity, velocity))
     (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
     moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
-    kept = KeptContacts(space.raw, elements.single)
-    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), repeat(space.address), first, second, third, after=kept if contacts else None)
+    kept = KeptContacts(elements.single)
+    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), Workspace("wheel_workspace"), first, second, third,
+                         kept=[kept] if contacts else [], sweep=sweep)
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
                        None if moved is None else elements.result(WrenchByPosition, moved, statuses), kept.batch(elements),
@@ -185,22 +186,23 @@ def _one_wheel(rail: PreparedProfile, wheel: PreparedProfile, pair: Any, positio
 
 def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition], support: ArrayLike,
                     velocity: Optional[Many[WheelVelocity]] = None, friction: Optional[Many[Friction]] = None, on_error: str = "raise",
-                    statuses: Optional[NDArray[np.int32]] = None) -> Any:
+                    statuses: Optional[NDArray[np.int32]] = None, threads: int = 1, progress: bool = False) -> Any:
     """The vertical positions [m] at which the rail supports wheels with a force [N].
 
     Arguments as in wheel_on_rail(); all but rail and wheel broadcast. The search begins at position's `vertical`.
     velocity: None: the pressure alone carries the load.
-    on_error: "raise" or "nan", as in solve(). statuses: an array in the shape of the results that receives the status of each.
+    on_error, threads, progress: as in solve(). statuses: an array in the shape of the results that receives the status of each.
 
     >>> positions = kstrip.wheel_position(lateral=[-12e-3, -10e-3, -8e-3])
     >>> positions.vertical = kstrip.height_for_load(rail, wheel, pair, positions, 80e3)
     >>> print(1e3 * positions.vertical.round(5))
     [0.29 0.23 0.1 ]
     """
-    elements, profiles, space = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
-                                          support=(float, support), velocity=optional(WheelVelocity, velocity))
+    sweep = sweep_of(threads, progress)
+    elements, profiles = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
+                                   support=(float, support), velocity=optional(WheelVelocity, velocity))
     heights, places = elements.real()
-    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), repeat(space.address), places)
+    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), Workspace("wheel_workspace"), places, sweep=sweep)
     told = elements.statuses(found, heights)
     if statuses is not None:
         statuses[...] = told

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._batch import Batch
-from ._calls import Elements, are_values, call, call_for_values, copy_of, memory
+from ._calls import Elements, Workspace, are_values, call, call_for_values, copy_of, memory, sweep_of
 from ._contacts import KeptContacts, OfContacts, contacts_in
 from ._group import Group
-from ._inputs import Many, array_of, check, count_of, floats, is_single, make, number, one
+from ._inputs import Many, array_of, check, count_of, floats, is_many, is_single, make, number, numbers, one
 from ._library import dtype_of
 from ._status import report
 from ._wheel import PreparedProfile, prepared
@@ -47,6 +47,7 @@ class Wheelset(Group):
     wheel, pair: the prepared profile and wheel_pair() of the right wheel; left_wheel, left_pair: None: as the right one.
     back_to_back: distance of the flange backs [m]; running_circles: of the running circles [m], 0: back_to_back and twice 70 mm.
     friction, left_friction: laws of friction() that fall with the slip; None: constant.
+    All but the profiles broadcast with the other arguments of a call: many coefficients of friction are many wheelsets.
 
     >>> kstrip.Wheelset(wheel, pair, back_to_back=1.36).back_to_back
     1.36
@@ -55,28 +56,35 @@ class Wheelset(Group):
     wheel: PreparedProfile
     pair: Many[WheelPair]
     _: KW_ONLY
-    back_to_back: float = 0.0
-    running_circles: float = 0.0
+    back_to_back: ArrayLike = 0.0
+    running_circles: ArrayLike = 0.0
     left_wheel: Optional[PreparedProfile] = None
     left_pair: Optional[Many[WheelPair]] = None
     friction: Optional[Many[Friction]] = None
     left_friction: Optional[Many[Friction]] = None
 
     @property
-    def half_distance(self) -> float:
+    def half_distance(self) -> Any:
         """Half the distance of the running circles [m]."""
-        return 0.5 * (self.running_circles or self.back_to_back + 0.14)
+        circles, backs = (numbers(getattr(self, name), name) for name in ("running_circles", "back_to_back"))
+        return 0.5 * np.where(circles, circles, backs + 0.14)[()]
+
+    def members(self) -> dict[str, tuple[Any, Any]]:
+        """Class and value of the members that broadcast."""
+        kinds = {"pair": WheelPair, "left_pair": WheelPair, "friction": Friction, "left_friction": Friction, "back_to_back": float, "running_circles": float}
+        return {name: (kind, getattr(self, name)) for name, kind in kinds.items()}
 
     def structure(self, single: bool) -> tuple[bytes, Any]:
-        """The structure of the C library for one call, and what holds the memory to which it points."""
+        """The structure of the C library for one call, where members with many values are zero, and what holds the memory to which it points."""
         left = None if self.left_wheel is None else prepared("left_wheel", self.left_wheel, single)
-        law = None if self.friction is None else one("friction", Friction, self.friction, single)
-        left_law = None if self.left_friction is None else one("left_friction", Friction, self.left_friction, single)
-        points = _Four(prepared("wheel", self.wheel, single), left, law, left_law)
-        pair = one("pair", WheelPair, self.pair, single)
-        other = bytes(len(pair)) if self.left_pair is None else one("left_pair", WheelPair, self.left_pair, single)
-        distances = _two[single].pack(number(self.back_to_back, "back_to_back"), number(self.running_circles, "running_circles"))
-        return b"".join((points, pair, other, distances)).ljust(dtype_of("wheelset", single).itemsize, b"\0"), points
+        laws = (None if law is None or is_many(law) else one(name, Friction, law, single)
+                for name, law in (("friction", self.friction), ("left_friction", self.left_friction)))
+        points = _Four(prepared("wheel", self.wheel, single), left, *laws)
+        pairs = (bytes(dtype_of("wheel_pair", single).itemsize) if pair is None or is_many(pair) else one(name, WheelPair, pair, single)
+                 for name, pair in (("pair", self.pair), ("left_pair", self.left_pair)))
+        distances = _two[single].pack(*(0.0 if is_many(value) else number(value, name)
+                                        for name, value in (("back_to_back", self.back_to_back), ("running_circles", self.running_circles))))
+        return b"".join((points, *pairs, distances)).ljust(dtype_of("wheelset", single).itemsize, b"\0"), points
 
 
 @dataclass(slots=True, repr=False, eq=False)
@@ -85,8 +93,9 @@ class Track(Group):
 
     rail: the prepared profile of the right rail; left_rail: None: as the right one. gauge: distance of the gauge faces [m], measured down
     to gauge_depth below the top [m], 0: 14 mm. origin: distances of the rails' origins from the middle of the track, right and left [m];
-    0: from the gauge. motion: rail_motion() of shape (..., 2), right and left; the dimensions before the last broadcast with the other
-    arguments of a call, so that each wheelset has rails of its own. None: at rest.
+    0: from the gauge. motion: rail_motion() of shape (..., 2), right and left; None: at rest.
+    gauge, gauge_depth and the dimensions of motion before the last broadcast with the other arguments of a call, so that each wheelset has
+    rails of its own.
 
     >>> kstrip.Track(rail, gauge=1.435).gauge
     1.435
@@ -94,20 +103,28 @@ class Track(Group):
 
     rail: PreparedProfile
     _: KW_ONLY
-    gauge: float = 0.0
-    gauge_depth: float = 0.0
+    gauge: ArrayLike = 0.0
+    gauge_depth: ArrayLike = 0.0
     origin: Sequence[float] = (0.0, 0.0)
     left_rail: Optional[PreparedProfile] = None
     motion: Optional[Batch[RailMotion]] = None
 
+    def members(self) -> dict[str, tuple[Any, Any]]:
+        """Class and value of the members that broadcast."""
+        found: dict[str, tuple[Any, Any]] = {name: (float, getattr(self, name)) for name in ("gauge", "gauge_depth")}
+        if self.motion is not None and self.motion.ndim > 1:
+            found |= {name: (RailMotion, self.motion[..., k]) for k, name in enumerate(("right_motion", "left_motion"))}
+        return found
+
     def structure(self, single: bool) -> tuple[bytes, Any]:
-        """The structure of the C library for one call, and what holds the memory to which it points."""
+        """The structure of the C library for one call, where members with many values are zero, and what holds the memory to which it points."""
         left = None if self.left_rail is None else prepared("left_rail", self.left_rail, single)
         points = _Two(prepared("rail", self.rail, single), left)
         if not isinstance(self.origin, (tuple, list, np.ndarray)) or len(self.origin) != 2:
             raise ValueError(f"origin: two numbers are needed, right and left, not {self.origin!r}")
         right_y, left_y = self.origin
-        places = _four[single].pack(number(self.gauge, "gauge"), number(self.gauge_depth, "gauge_depth"), number(right_y, "origin"), number(left_y, "origin"))
+        gauges = (0.0 if is_many(value) else number(value, name) for name, value in (("gauge", self.gauge), ("gauge_depth", self.gauge_depth)))
+        places = _four[single].pack(*gauges, number(right_y, "origin"), number(left_y, "origin"))
         moves = b""
         if self.motion is not None:
             given = array_of("motion", RailMotion, self.motion, single)
@@ -134,22 +151,28 @@ def _structures(wheelset: Any, track: Any) -> tuple[bool, tuple[Any, Any], Any]:
     return single, (repeat(first), repeat(second)), (kept, also)
 
 
-def _motions(track: Track) -> dict[str, tuple[Any, Any]]:
-    """The motions of both rails as arguments that broadcast; none if all wheelsets have the same."""
-    if track.motion is None or track.motion.ndim < 2:
-        return {}
-    return {name: (RailMotion, track.motion[..., k]) for k, name in enumerate(("right_motion", "left_motion"))}
+#: Where a member that broadcasts is in the structures: its member, and its place there
+_PLACES = {"pair": ("pair", 0), "left_pair": ("pair", 1), "friction": ("friction", 0), "left_friction": ("friction", 1), "right_motion": ("motion", 0),
+           "left_motion": ("motion", 1)}
 
 
-def _tracks(elements: Elements, motions: dict[str, tuple[Any, Any]], one: Iterator[bytes]) -> Iterator[Any]:
-    """The track of each element: the same structure, with the motions of the element."""
-    if not motions:
-        return one
-    tracks = np.frombuffer(next(one), dtype_of("track", elements.single)).repeat(elements.count)
-    for k, name in enumerate(motions):
-        tracks["motion"][:, k] = elements.array(name)[0]
+def _many(*parts: Any) -> dict[str, tuple[Any, Any]]:
+    """The members of wheelset and track that have many values, as arguments that broadcast."""
+    return {name: member for part in parts for name, member in part.members().items() if is_many(member[1])}
+
+
+def _each(elements: Elements, structure: str, given: Any, first: Iterator[bytes]) -> Iterator[Any]:
+    """The structure of each element: the same one, with the members of the element."""
+    names = _many(given)
+    if not names:
+        return first
+    made: Any = np.frombuffer(next(first), dtype_of(structure, elements.single)).repeat(elements.count)
+    for name, (kind, _) in names.items():
+        array, distance = elements.array(name)
+        member, k = _PLACES.get(name, (name, ...))
+        made[member][:, k] = array.ctypes.data + distance * np.arange(elements.count) if kind is Friction else array
     # The generator keeps the structures as long as their addresses are used
-    return (tracks.ctypes.data + k * tracks.itemsize for k in range(elements.count))
+    return (made.ctypes.data + k * made.itemsize for k in range(elements.count))
 
 
 @dataclass(slots=True, repr=False, eq=False)
@@ -220,13 +243,13 @@ class WheelsetOnTrack(Group):
 
 
 def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosition], velocity: Many[WheelVelocity], by_position: bool = False,
-                      contacts: bool = True, on_error: str = "raise") -> WheelsetOnTrack:
+                      contacts: bool = True, on_error: str = "raise", threads: int = 1, progress: bool = False) -> WheelsetOnTrack:
     """Forces on a wheelset and its rails, with derivatives and the contacts of both wheels.
 
     position: wheel_position() of the wheelset's centre in the axes of the track; vertical is zero when the centre is the mean of the
     radii above the rails' origins. velocity: wheel_velocity() of the centre relative to the momentary track: curve_motion().
-    position, velocity and the motion of the track broadcast.
-    by_position: also the derivatives with respect to the position. contacts: False leaves them out. on_error: "raise" or "nan", as in solve().
+    position, velocity and the members of wheelset and track broadcast.
+    by_position: also the derivatives with respect to the position. contacts: False leaves them out. on_error, threads, progress: as in solve().
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
     >>> still = kstrip.wheelset_settle(wheelset, track, kstrip.wheel_position(lateral=3e-3), velocity, 160e3)
@@ -237,21 +260,16 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     T-gamma of the right wheel 14 N
     """
     single, structures, kept = _structures(wheelset, track)
-    motions = _motions(track)
-    if on_error == "raise" and are_values(position, velocity) and not single and not motions:
+    sweep, many = sweep_of(threads, progress), _many(wheelset, track)
+    if on_error == "raise" and are_values(position, velocity) and not single and not many:
         return _one_wheelset(wheelset, track, [next(each) for each in structures], position, velocity, by_position, contacts)
-    elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity), **motions)
+    elements = Elements(single, on_error, position=(WheelPosition, position), velocity=(WheelVelocity, velocity), **many)
     (forces, first), (slopes, second) = elements.out("wheelset_forces"), elements.out("wheelset_derivatives")
     moved, third = elements.out("wheelset_by_position") if by_position else (None, repeat(None))
-    space = memory.of("wheelset_workspace", single)
-    right, left = (KeptContacts(space.raw, single, at) for at in _wheels_at(single))
-
-    def keep(status: int) -> None:
-        right(status)
-        left(status)
-
-    found = elements.run("kstrip_wheelset_on_track", structures[0], _tracks(elements, motions, structures[1]), elements.columns["position"],
-                         elements.columns["velocity"], repeat(space.address), first, second, third, after=keep if contacts else None)
+    right, left = (KeptContacts(single, at) for at in _wheels_at(single))
+    found = elements.run("kstrip_wheelset_on_track", _each(elements, "wheelset", wheelset, structures[0]), _each(elements, "track", track, structures[1]),
+                         elements.columns["position"], elements.columns["velocity"], Workspace("wheelset_workspace"), first, second, third,
+                         kept=[right, left] if contacts else [], sweep=sweep)
     del kept
     statuses = elements.statuses(found, forces, slopes, moved)
     made = WheelsetOnTrack(elements.result(WheelsetForces, forces, statuses), elements.result(WheelsetDerivatives, slopes, statuses),
@@ -288,11 +306,12 @@ class Settled(Group):
 
 
 def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition], velocity: Many[WheelVelocity], vertical: ArrayLike,
-                    roll: ArrayLike = 0.0, pitch: ArrayLike = 0.0, on_error: str = "raise") -> Settled:
+                    roll: ArrayLike = 0.0, pitch: ArrayLike = 0.0, on_error: str = "raise", threads: int = 1, progress: bool = False) -> Settled:
     """Height, roll and pitch rate at which the rails carry given loads, at given lateral position, yaw and speed.
 
     vertical: downward force at the centre, weight included [N]. roll: moment onto the right rail [N m]. pitch: torque about the axle
-    [N m], negative where it drives forward. start, velocity, loads and the motion of the track broadcast. on_error: "raise" or "nan", as in solve().
+    [N m], negative where it drives forward. start, velocity, loads and the members of wheelset and track broadcast.
+    on_error, threads, progress: as in solve().
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5))
@@ -301,13 +320,13 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     [78.3 78.8 80.  81.2 81.7]
     """
     single, structures, kept = _structures(wheelset, track)
-    motions = _motions(track)
+    sweep = sweep_of(threads, progress)
     elements = Elements(single, on_error, start=(WheelPosition, start), velocity=(WheelVelocity, velocity), vertical=(float, vertical),
-                        roll=(float, roll), pitch=(float, pitch), **motions)
+                        roll=(float, roll), pitch=(float, pitch), **_many(wheelset, track))
     (positions, first), (rates, second), (forces, third) = (elements.out(name) for name in ("wheel_position", "wheel_velocity", "wheelset_forces"))
     loads = map(struct.Struct("3f" if single else "3d").pack, *(elements.columns[name] for name in ("vertical", "roll", "pitch")))
-    found = elements.run("kstrip_wheelset_settle", structures[0], _tracks(elements, motions, structures[1]), elements.columns["start"],
-                         elements.columns["velocity"], loads, repeat(memory.of("wheelset_workspace", single).address), first, second, third)
+    found = elements.run("kstrip_wheelset_settle", _each(elements, "wheelset", wheelset, structures[0]), _each(elements, "track", track, structures[1]),
+                         elements.columns["start"], elements.columns["velocity"], loads, Workspace("wheelset_workspace"), first, second, third, sweep=sweep)
     del kept
     statuses = elements.statuses(found, positions, rates, forces)
     made = Settled(elements.result(WheelPosition, positions, statuses), elements.result(WheelVelocity, rates, statuses),
@@ -316,23 +335,23 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
 
 
 def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLike, with_roll: bool = False, on_error: str = "raise",
-                              statuses: Optional[NDArray[np.int32]] = None) -> Any:
+                              statuses: Optional[NDArray[np.int32]] = None, threads: int = 1, progress: bool = False) -> Any:
     """The difference of the rolling radii, right minus left [m], at each lateral shift [m] of a wheelset without yaw.
 
-    with_roll: False: without roll, as EN 15302 has it. shifts and the motion of the track broadcast. on_error: "raise" or "nan", as in solve().
-    statuses: an array in the shape of the results that receives the status of each.
+    with_roll: False: without roll, as EN 15302 has it. shifts and the members of wheelset and track broadcast.
+    on_error, threads, progress: as in solve(). statuses: an array in the shape of the results that receives the status of each.
 
     >>> wheelset, track = kstrip.Wheelset(wheel, pair, back_to_back=1.36), kstrip.Track(rail, gauge=1.435)
     >>> print(1e3 * kstrip.rolling_radius_difference(wheelset, track, [-3e-3, 0.0, 3e-3]).round(5))
     [-0.97  0.    0.97]
     """
     single, structures, kept = _structures(wheelset, track)
-    motions = _motions(track)
-    elements = Elements(single, on_error, shifts=(float, shifts), **motions)
+    sweep = sweep_of(threads, progress)
+    elements = Elements(single, on_error, shifts=(float, shifts), **_many(wheelset, track))
     differences, places = elements.real()
     given = map(struct.Struct("f" if single else "d").pack, elements.columns["shifts"])
-    found = elements.run("kstrip_rolling_radius_difference", structures[0], _tracks(elements, motions, structures[1]), given, repeat(1), repeat(int(bool(with_roll))),
-                         repeat(memory.of("wheelset_workspace", single).address), places, repeat(None))
+    found = elements.run("kstrip_rolling_radius_difference", _each(elements, "wheelset", wheelset, structures[0]), _each(elements, "track", track, structures[1]),
+                         given, repeat(1), repeat(int(bool(with_roll))), Workspace("wheelset_workspace"), places, repeat(None), sweep=sweep)
     del kept
     told = elements.statuses(found, differences)
     if statuses is not None:

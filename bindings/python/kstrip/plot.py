@@ -24,7 +24,7 @@ except ImportError as error:
     raise ImportError("kstrip.plot needs matplotlib: pip install 'kstrip[plot]'") from error
 
 from ._batch import Batch
-from ._inputs import Model
+from ._inputs import Model, number as number_of
 from ._solve import evaluate, field, solve
 from ._structures import creepage as creepage_of, wheel_position, wheel_velocity
 from ._wheel import PreparedProfile, height_for_load, wheel_on_rail
@@ -185,7 +185,7 @@ def _sides(wheelset: Wheelset, track: Track) -> Iterator[tuple[PreparedProfile, 
     pair: Any
     for number, (rail, wheel, pair, friction) in enumerate((rights, lefts)):
         side = -1.0 if number else 1.0
-        origin = track.origin[number] or 0.5 * track.gauge - gauge_face(rail, track.gauge_depth)
+        origin = track.origin[number] or 0.5 * number_of(track.gauge, "gauge") - gauge_face(rail, number_of(track.gauge_depth, "gauge_depth"))
         yield rail, wheel, dataclasses.replace(pair, left=number), friction, side * (wheelset.half_distance - origin)
 
 

@@ -16,7 +16,6 @@ import pickle
 import pydoc
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
@@ -26,19 +25,11 @@ import warnings
 
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), os.pardir))
 
-try:
-    import fcntl
-    import pty
-    import termios
-except ImportError:  # (Windows)
-    pty = None
-
 import numpy as np
 
 import kstrip
 import wheel_on_rail as scene
 import write_types
-from kstrip import _calls
 
 FOLDER = pathlib.Path(__file__).resolve().parents[1]
 STEEL = dict(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
@@ -343,55 +334,46 @@ class Values(unittest.TestCase):
         self.assertEqual(kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place[:0], 1e4).shape, (0,))
         self.assertEqual(kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place[:0], fast).contacts.shape, (0, 0))
 
-    def test_long_sweeps_have_a_progress_bar_on_a_terminal(self):
-        if importlib.util.find_spec("tqdm") is None:
-            self.skipTest("SKIPPED: the progress bar of the Python binding, because there is no tqdm")
-        self.assertIsInstance(_calls.progress(range(10**6), 10**6, "a file, not a terminal"), range)
-        terminal = io.StringIO()
-        terminal.isatty = lambda: True
-        with unittest.mock.patch.object(sys, "stderr", terminal):
-            self.assertIsInstance(_calls.progress(range(10), 10, "a few"), range)
-            bar = _calls.progress(range(5000), 5000, "a sweep")
-            # (what takes less than two seconds shows nothing)
-            self.assertEqual((sum(bar), bar.delay, terminal.getvalue()), (4999 * 2500, 2.0, ""))
+    def test_threads_and_progress_leave_the_bits(self):
+        """Every function of arrays, with a bad element among them: one thread without a bar, and three with one."""
+        contacts, creepages = kstrip.contact(**{**CONTACT, "friction": np.linspace(0.0, 0.5, 20_000)}), kstrip.creepage(1e-3, spin=0.2)
+        contacts.friction[[5, 9000]] = -1.0
+        place = kstrip.wheel_position(lateral=np.append(np.linspace(-14e-3, -4e-3, 199), 0.5))
+        moves, steel = kstrip.wheel_velocity(forward=20.0, pitch=-43.3), scene.pair()
+        place.vertical[:199] = kstrip.height_for_load(scene.RAIL, scene.WHEEL, steel, place[:199], 8e4)
+        wheelset, track = kstrip.Wheelset(scene.WHEEL, steel, back_to_back=1.36), kstrip.Track(scene.RAIL, gauge=1.435)
+        starts = kstrip.wheel_position(lateral=np.append(np.linspace(-3e-3, 3e-3, 69), 0.5))
+        few = contacts[:200]
+        for call in (
+            lambda **how: kstrip.solve(contacts, creepages, **how),
+            lambda **how: kstrip.evaluate(contacts, creepages, law_derivatives=True, **how),
+            lambda **how: kstrip.evaluate(kstrip.patch_from_contact(CONTACT), kstrip.creepage(np.linspace(0.0, 0.01, 200)), **how),
+            lambda **how: kstrip.solve_motion(few, kstrip.motion(1e-3, rolling_speed=1.0), **how),
+            lambda **how: kstrip.estimate_friction(few, creepages, fx=1e3, **how),
+            lambda **how: kstrip.creepage_for_force(few, 1e3, 0.0, **how),
+            lambda **how: kstrip.height_for_load(scene.RAIL, scene.WHEEL, steel, place, 8e4, **how),
+            lambda **how: kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, steel, place, moves, by_position=True, **how),
+            lambda **how: kstrip.wheelset_settle(wheelset, track, starts, moves, 1e5, **how),
+            lambda **how: kstrip.wheelset_on_track(wheelset, track, starts, moves, **how),
+            lambda **how: kstrip.rolling_radius_difference(wheelset, track, np.linspace(-3e-3, 3e-3, 200), **how),
+        ):
+            with contextlib.redirect_stderr(io.StringIO()) as shown, warnings.catch_warnings():
+                warnings.simplefilter("ignore", kstrip.KstripWarning)
+                one, three = call(on_error="nan"), call(on_error="nan", threads=3, progress=True)
+            self.assertEqual(pickle.dumps(one), pickle.dumps(three))
+            if importlib.util.find_spec("tqdm") is not None:
+                self.assertRegex(shown.getvalue(), r"\w+: +100%.*\| (\d+)/\1 \[")
+        with self.assertRaises(kstrip.KstripError) as caught:
+            kstrip.solve(contacts, creepages, threads=2)
+        self.assertEqual(caught.exception.index, (5,))
+        for threads in (0, 1.5, None):
+            with self.assertRaisesRegex(ValueError, "threads: a whole number, 1 or more"):
+                kstrip.solve(contacts, creepages, threads=threads)
 
-    def on_a_terminal(self, program, until=None):
-        """What a program writes to a terminal of its own, and its exit status; ended at once when that has appeared."""
-        terminal, end = pty.openpty()
-        fcntl.ioctl(end, termios.TIOCSWINSZ, struct.pack("4H", 24, 100, 0, 0))
-        with subprocess.Popen([sys.executable, "-c", program], cwd=FOLDER, stdin=end, stdout=end, stderr=end,
-                              env={**os.environ, "TERM": "xterm"}) as child:
-            os.close(end)
-            shown = b""
-            try:
-                while until is None or until not in shown:
-                    shown += os.read(terminal, 4096)
-            except OSError:
-                # (a terminal that nobody writes to any more)
-                pass
-            else:
-                child.kill()
-            os.close(terminal)
-        return shown.decode(errors="replace"), child.returncode
-
-    @unittest.skipIf(pty is None, "SKIPPED: the progress bar on a terminal, because there are no pseudoterminals")
-    def test_a_sweep_on_a_terminal_shows_its_bar_and_needs_no_tqdm(self):
-        sweep = """
-import sys
-{before}
-import numpy as np
-import kstrip, wheel_on_rail as scene
-place = kstrip.wheel_position(lateral=np.linspace(-0.011, -0.009, {count}))
-heights = kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place, 8e4)
-print("answers:", np.isfinite(heights).sum())
-"""
-        # Without tqdm, and in less than two seconds: nothing but the result
-        self.assertEqual(self.on_a_terminal(sweep.format(before="sys.modules['tqdm'] = None", count=1200)), ("answers: 1200\r\n", 0))
-        if importlib.util.find_spec("tqdm") is None:
-            self.skipTest("SKIPPED: the progress bar of the Python binding, because there is no tqdm")
-        # So many that no machine is done before two seconds
-        shown, _ = self.on_a_terminal(sweep.format(before="", count=100_000), b"it/s")
-        self.assertRegex(shown, r"height_for_load: +\d+%.*\| \d+/100000 \[00:0[2-9]<")
+    def test_progress_needs_no_tqdm(self):
+        with unittest.mock.patch.dict(sys.modules, {"tqdm": None}), contextlib.redirect_stderr(io.StringIO()) as shown:
+            self.assertTrue(np.isfinite(kstrip.solve(CONTACT, kstrip.creepage([1e-3, 2e-3]), progress=True).fx).all())
+        self.assertEqual(shown.getvalue(), "")
 
     def test_help_is_short_and_begins_with_the_functions(self):
         self.assertEqual([name for name in kstrip.__all__ if not hasattr(kstrip, name)], [])

@@ -121,6 +121,51 @@ class OnTrack(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"position \(2,\), right_motion \(3,\)"):
             kstrip.wheelset_on_track(WHEELSET, track, start[:, 0], ROLLING)
 
+    def test_each_wheelset_has_members_of_its_own(self):
+        """Friction, laws of friction, distances and gauges of each wheelset, on rails that move: as one call for each."""
+        friction = np.array([0.1, 0.2, 0.4])
+        pairs = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=friction)
+        laws = kstrip.friction(0.3, [0.3, 0.6, 1.0], 0.4)
+        many = kstrip.Wheelset(scene.WHEEL, pairs, back_to_back=[1.36, 1.359, 1.358], left_friction=laws)
+        gauges = np.array([[1.435], [1.440]])
+        moved = kstrip.rail_motion(vertical=[1e-3, 0.0])
+        track, fast = kstrip.Track(scene.RAIL, gauge=gauges, motion=moved), kstrip.wheel_velocity(forward=20.0, pitch=-44.0, yaw=0.02)
+        start = kstrip.wheel_position(lateral=1e-3)
+        still = kstrip.wheelset_settle(many, track, start, ROLLING, 1e5)
+        on = kstrip.wheelset_on_track(many, track, still.position, fast)
+        radii = kstrip.rolling_radius_difference(many, track, 1e-3)
+        self.assertEqual((still.position.shape, on.forces.shape, radii.shape), ((2, 3), (2, 3), (2, 3)))
+        for i, j in np.ndindex(2, 3):
+            one = kstrip.Wheelset(scene.WHEEL, pairs[j], back_to_back=many.back_to_back[j], left_friction=laws[j])
+            own = kstrip.Track(scene.RAIL, gauge=gauges[i, 0], motion=moved)
+            alone = kstrip.wheelset_settle(one, own, start, ROLLING, 1e5)
+            self.assertEqual((alone.position, alone.forces), (still.position[i, j], still.forces[i, j]))
+            single = kstrip.wheelset_on_track(one, own, alone.position, fast)
+            self.assertEqual((single.forces, single.right.velocity), (on.forces[i, j], on.right.velocity[i, j]))
+            self.assertEqual(radii[i, j], kstrip.rolling_radius_difference(one, own, 1e-3))
+            for side, alike in ((single.left, on.left), (single.right, on.right)):
+                number = len(side.contacts)
+                np.testing.assert_array_equal(side.t_gamma, alike.t_gamma[i, j, :number])
+                self.assertEqual(side.strips, alike.strips[i, j, :number, : side.strips.shape[-1]])
+        # Each strip has its place and pressure, and they carry the load
+        strips = single.right.strips[0]
+        loads = np.pi / 2 * strips.half_length * strips.width * strips.peak_pressure
+        self.assertAlmostEqual(loads.sum() / single.right.contacts.normal_force[0], 1.0, delta=1e-9)
+        with self.assertRaisesRegex(ValueError, r"position \(2, 2\), .*pair \(3,\)"):
+            kstrip.wheelset_on_track(many, TRACK, still.position[:, :2], fast)
+
+    def test_a_thousand_wheelsets_lose_one(self):
+        shifts = np.linspace(-4e-3, 4e-3, 1000)
+        starts, lifting = kstrip.wheel_position(lateral=shifts), np.where(np.arange(1000) == 377, 1e5, 0.0)
+        still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, 1e5, roll=lifting, on_error="nan", threads=2)
+        failed = still.statuses < 0
+        self.assertEqual(np.flatnonzero(failed).tolist(), [377])
+        self.assertEqual(still.statuses[377], kstrip.constants["KSTRIP_ERROR_WHEEL_LIFTED"])
+        on = kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity, on_error="nan", threads=2)
+        for array in (still.position.vertical, on.forces.rail[:, 0, 2], on.derivatives.velocity[:, 1, 1]):
+            np.testing.assert_array_equal(np.isnan(array), failed)
+        self.assertTrue(on.statuses[377] < 0 and (np.delete(on.statuses, 377) >= 0).all())
+
     def test_one_wheelset_does_not_lose_the_others(self):
         starts = kstrip.wheel_position(lateral=np.linspace(-8e-3, 8e-3, 81))
         still = kstrip.wheelset_settle(WHEELSET, TRACK, starts, ROLLING, 100e3, on_error="nan")
