@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/python.md and docs/adhesion.md, the five kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
+"""Writes the pictures of docs/python.md and docs/adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """
@@ -30,6 +30,7 @@ plt.rcParams.update({"svg.hashsalt": "kstrip", "svg.fonttype": "none", "font.fam
 
 RAIL, WHEEL = (kstrip.read_profile(DATA / "wheel_rail" / f"{name}.csv").prepare() for name in ("uic60", "s1002"))
 PAIR = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+WHEELSET, TRACK = kstrip.Wheelset(WHEEL, PAIR, back_to_back=1.36), kstrip.Track(RAIL, gauge=1.435)
 CONTACT = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
 
 
@@ -48,8 +49,24 @@ def patch_on_profiles():
 
 
 def lateral_shift():
-    wheelset, track = kstrip.Wheelset(WHEEL, PAIR, back_to_back=1.36), kstrip.Track(RAIL, gauge=1.435)
-    return plot.lateral_shift(wheelset, track, np.linspace(-6e-3, 6e-3, 61), load=50e3)
+    return plot.lateral_shift(WHEELSET, TRACK, np.linspace(-6e-3, 6e-3, 61), load=50e3)
+
+
+def wheelset():
+    position = kstrip.wheel_position(lateral=5e-3, yaw=2e-3)
+    still = kstrip.wheelset_settle(WHEELSET, TRACK, position, kstrip.wheel_velocity(forward=20.0, pitch=0.0), 100e3)
+    return plot.wheelset(kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity))
+
+
+def wear():
+    shifts = 5e-3 * np.sin(np.linspace(0.0, 2 * np.pi, 200, endpoint=False))
+    rolling = kstrip.wheel_velocity(forward=20.0, pitch=0.0)
+    still = kstrip.wheelset_settle(WHEELSET, TRACK, kstrip.wheel_position(lateral=shifts, yaw=1e-3), rolling, 100e3)
+    return plot.wear(kstrip.wheelset_on_track(WHEELSET, TRACK, still.position, still.velocity))
+
+
+def conicity():
+    return plot.conicity(WHEELSET, TRACK)
 
 
 def measured_curve():
@@ -103,7 +120,7 @@ def bogie():
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "figures" / "python"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, measured_curve, crossing, bogie):
+    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, wheelset, wear, conicity, measured_curve, crossing, bogie):
         with warnings.catch_warnings():
             # STRIP_1967 is shown beyond the range that its theory is for.
             warnings.simplefilter("ignore", kstrip.KstripWarning)

@@ -146,9 +146,11 @@ class Keeper(Protocol):
 
     def take(self, workspace: bytearray, status: int) -> bytearray:
         """What is kept after a call with this status."""
+        ...
 
     def keep(self, parts: list[bytearray]) -> None:
         """Keeps what take() returned for the next elements."""
+        ...
 
 
 #: Elements that one thread computes before it takes others

@@ -4,6 +4,9 @@
     traction_map         tractions inside a patch, with stick and slip
     patch_on_profiles    where a wheel touches a rail, and the pressure in its patches
     lateral_shift        contact angle, radius difference, load and forces of a wheelset against its lateral shift
+    wheelset             both wheels of a wheelset on their rails, with the load and the angle of each contact
+    wear                 T-gamma along the profiles of wheels
+    conicity             radius difference against lateral shift, and equivalent conicity against amplitude
     measured_curve       measured forces against creepage, with curves of laws of friction
 
 Each function returns a matplotlib figure: `figure.savefig("curve.svg")`, or `matplotlib.pyplot.show()`. `figure` is one to draw into,
@@ -27,11 +30,12 @@ from ._batch import Batch
 from ._inputs import Model, number as number_of
 from ._solve import evaluate, field, solve
 from ._structures import creepage as creepage_of, wheel_position, wheel_velocity
-from ._wheel import PreparedProfile, height_for_load, wheel_on_rail
-from ._wheelset import Track, Wheelset, gauge_face
+from ._contacts import OfContacts
+from ._wheel import PreparedProfile, WheelOnRail, height_for_load, wheel_on_rail
+from ._wheelset import Track, WheelOfWheelset, Wheelset, WheelsetOnTrack, equivalent_conicity, gauge_face, rolling_radius_difference
 from .values import Contact, Creepage, Friction, Patch, WheelContact, WheelPair, WheelPosition, WheelVelocity
 
-__all__ = ["creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "measured_curve", "COLOURS"]
+__all__ = ["creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "wheelset", "wear", "conicity", "measured_curve", "COLOURS"]
 
 #: Vermilion, blue, green, purple of Okabe and Ito; each has a contrast of three or more with white and with black.
 COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7")
@@ -178,6 +182,12 @@ def _mean(contacts: Batch[WheelContact], name: str) -> NDArray[np.float64]:
     return found
 
 
+def _origin(track: Track, rail: PreparedProfile, number: int) -> float:
+    """Distance of a rail's origin from the middle of the track [m]."""
+    given = float(track.origin[number])
+    return given or 0.5 * number_of(track.gauge, "gauge") - gauge_face(rail, number_of(track.gauge_depth, "gauge_depth"))
+
+
 def _sides(wheelset: Wheelset, track: Track) -> Iterator[tuple[PreparedProfile, PreparedProfile, Any, Any, float]]:
     """Rail, wheel, pair, law of friction and `lateral` in the middle of the track, of the right and of the left wheel."""
     rights = track.rail, wheelset.wheel, wheelset.pair, wheelset.friction
@@ -185,8 +195,7 @@ def _sides(wheelset: Wheelset, track: Track) -> Iterator[tuple[PreparedProfile, 
     pair: Any
     for number, (rail, wheel, pair, friction) in enumerate((rights, lefts)):
         side = -1.0 if number else 1.0
-        origin = track.origin[number] or 0.5 * number_of(track.gauge, "gauge") - gauge_face(rail, number_of(track.gauge_depth, "gauge_depth"))
-        yield rail, wheel, dataclasses.replace(pair, left=number), friction, side * (wheelset.half_distance - origin)
+        yield rail, wheel, dataclasses.replace(pair, left=number), friction, side * (wheelset.half_distance - _origin(track, rail, number))
 
 
 def lateral_shift(wheelset: Wheelset, track: Track, shifts: ArrayLike, load: float, *, velocity: Optional[WheelVelocity] = None,
@@ -223,6 +232,92 @@ def lateral_shift(wheelset: Wheelset, track: Track, shifts: ArrayLike, load: flo
     _label(fourth, "shift to the right [mm]", "force on the wheel [kN]")
     fourth.legend(fontsize="small")
     drawn.suptitle(f"A wheelset against its lateral shift, {1e-3 * load:g} kN on each rail")
+    return drawn
+
+
+def wheelset(on: WheelsetOnTrack, *, figure: Any = None) -> Any:
+    """Both wheels of one wheelset on their rails, seen in the direction of travel, with the load and the angle of each contact.
+
+    on: of wheelset_on_track(), for one wheelset with its contacts.
+    """
+    if isinstance(on.position, Batch) or on.forces.wheel.ndim != 1:
+        raise ValueError("on: one wheelset is needed, not many of them")
+    mean = float(np.mean([side[2].wheel_radius for side in _sides(on.wheelset, on.track)]))
+    drawn = _new(figure, 9.0, 3.6)
+    panels = drawn.subplots(1, 2)
+    for number, (rail, wheel, pair, _, _) in enumerate(_sides(on.wheelset, on.track)):
+        axes, side, wheels = panels[1 - number], -1.0 if number else 1.0, on.left if number else on.right
+        motion = None if on.track.motion is None else on.track.motion[number]
+        shift, drop = (0.0, 0.0) if motion is None else (motion.lateral, motion.vertical)
+        origin, roll = side * _origin(on.track, rail, number), float(on.position.roll)
+        axes.plot(1e3 * (origin + shift + side * rail.y), 1e3 * (drop + rail.z), label="rail", **_line(1))
+        # The wheel's centre, and the profile about it
+        arm = side * on.wheelset.half_distance
+        centre_y, centre_z = on.position.lateral + arm * np.cos(roll), on.position.vertical - mean + arm * np.sin(roll)
+        along, down = side * wheel.y, wheel.z + pair.wheel_radius
+        axes.plot(1e3 * (centre_y + np.cos(roll) * along - np.sin(roll) * down), 1e3 * (centre_z + np.sin(roll) * along + np.cos(roll) * down),
+                  label="wheel", **_line(0))
+        for contact in wheels.contacts:
+            y, z = 1e3 * (centre_y + contact.origin[1]), 1e3 * (centre_z + contact.origin[2])
+            axes.plot(y, z, "o", color=COLOURS[3])
+            axes.annotate(f"{1e-3 * contact.normal_force:.1f} kN, {np.degrees(contact.angle):.1f}°", (y, z), xytext=(0, -28), textcoords="offset points",
+                          ha="center", arrowprops={"arrowstyle": "-", "color": "0.5"})
+        middle, top = 1e3 * (origin + shift), 1e3 * (drop + float(np.nanmin(rail.z)))
+        axes.set(xlim=(middle - 60.0, middle + 60.0), ylim=(top + 35.0, top - 25.0), aspect="equal")
+        _label(axes, "y from the middle of the track [mm]", "z, down [mm]", "left" if number else "right")
+    panels[1].legend(loc="lower right")
+    drawn.suptitle(f"Wheelset, {1e3 * on.position.lateral:.1f} mm to the right, yaw {1e3 * on.position.yaw:.1f} mrad")
+    return drawn
+
+
+def wear(on: Union[WheelOnRail, WheelOfWheelset, WheelsetOnTrack], *, width: float = 1e-3, figure: Any = None) -> Any:
+    """T-gamma along the profiles of wheels: frictional work for each metre of the way and each millimetre of the profile [N/mm].
+
+    on: of wheel_on_rail() or wheelset_on_track(), with its contacts; of many positions the mean is drawn. width: of the parts of the
+    profile [m]. The T-gamma of a contact is spread over its strips in proportion to their loads.
+    """
+    wheels: list[tuple[str, OfContacts]] = [("right", on.right), ("left", on.left)] if isinstance(on, WheelsetOnTrack) else [("wheel", on)]
+    drawn = _new(figure, 6.0, 3.6)
+    axes = drawn.subplots()
+    for i, (name, of) in enumerate(wheels):
+        places, work, count = _work(of)
+        edges = width * np.arange(np.floor(places.min(initial=0.0) / width) - 1, np.ceil(places.max(initial=0.0) / width) + 2)
+        parts, _ = np.histogram(places, edges, weights=work)
+        axes.stairs(1e-3 * parts / (width * count), 1e3 * edges, label=f"{name}, T-gamma {work.sum() / count:.0f} N", linewidth=1.5, **_line(i))
+    _label(axes, "y on the wheel's profile, flange at small y [mm]", "T-gamma per length [N/mm]", "Wear along the profile")
+    axes.legend()
+    return drawn
+
+
+def _work(of: OfContacts) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
+    """y on the profile [m] and T-gamma [N] of each strip of wheels, and the number of wheels with a result."""
+    contacts, strips = of.contacts, of.strips
+    loads = strips.width * strips.half_length * strips.peak_pressure
+    shares = loads / np.maximum(np.sum(loads, axis=-1, keepdims=True), np.finfo(float).tiny)
+    work = np.where(loads > 0.0, shares * np.nan_to_num(of.t_gamma)[..., None], 0.0)
+    results = np.isfinite(np.atleast_1d(np.asarray(of.wrench.normal_force)))
+    return contacts.strip_y[..., : loads.shape[-1]][loads > 0.0], work[loads > 0.0], max(1, int(results.sum()))
+
+
+def conicity(wheelset: Wheelset, track: Track, amplitudes: Optional[ArrayLike] = None, *, figure: Any = None) -> Any:
+    """The difference of the rolling radii against the lateral shift, and the equivalent conicity after EN 15302 against the amplitude.
+
+    wheelset, track: Wheelset and Track; one of each. amplitudes: [m]; None: 0.5 to 8 mm. Amplitudes that the profiles do not reach have
+    no conicity.
+    """
+    places = np.linspace(0.5e-3, 8e-3, 76) if amplitudes is None else np.asarray(amplitudes, float)
+    shifts = np.linspace(-1.4, 1.4, 281) * float(places.max())
+    differences = rolling_radius_difference(wheelset, track, shifts, on_error="nan")
+    reached = np.isfinite(differences)
+    found = equivalent_conicity(shifts[reached], differences[reached], places, running_circles=2.0 * wheelset.half_distance,
+                                wheel_radius=float(wheelset.pair.wheel_radius), on_error="nan")
+    drawn = _new(figure, 8.0, 3.6)
+    first, second = drawn.subplots(1, 2)
+    first.plot(1e3 * shifts, 1e3 * differences, **_line(1))
+    _label(first, "shift to the right [mm]", "radius difference, right - left [mm]", "Rolling radii")
+    second.plot(1e3 * places, found.conicity, **_line(0))
+    second.set_ylim(bottom=0.0)
+    _label(second, "amplitude [mm]", "equivalent conicity [-]", "Equivalent conicity, EN 15302")
     return drawn
 
 

@@ -24,7 +24,7 @@ import pictures
 from kstrip import plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
-ALL = ("creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "measured_curve")
+ALL = ("creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "wheelset", "wear", "conicity", "measured_curve")
 
 
 def luminance(colour):
