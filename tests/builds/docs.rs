@@ -155,9 +155,17 @@ fn cpp_blocks_run() {
     }
 }
 
-fn has_matplotlib() -> bool {
-    let answer = python().map(|mut python| python.args(["-c", "import matplotlib"]).output());
-    answer.is_ok_and(|answer| answer.is_ok_and(|output| output.status.success()))
+/// The packages that a page imports and this Python has not.
+fn missing_packages(code: &str) -> Vec<&'static str> {
+    const PACKAGES: [(&str, &str); 3] =
+        [("matplotlib", "import plot"), ("numba", "from numba"), ("jax", "import jax\n")];
+    let has = |package: &str| {
+        let import = format!("import {package}");
+        let found = python().map(|mut python| python.args(["-c", &import]).output());
+        found.is_ok_and(|found| found.is_ok_and(|output| output.status.success()))
+    };
+    let used = PACKAGES.into_iter().filter(|(_, import)| code.contains(import));
+    used.map(|(package, _)| package).filter(|package| !has(package)).collect()
 }
 
 #[test]
@@ -165,13 +173,13 @@ fn python_blocks_run() {
     let programs = programs("python");
     assert!(!programs.is_empty());
     for (page, code, output) in programs {
-        let draws = code.contains("import plot");
         match python() {
             Err(missing) => {
                 say(&format!("SKIPPED: the Python blocks, because there is no {missing}"))
             }
-            Ok(_) if draws && !has_matplotlib() => {
-                say(&format!("SKIPPED: {}, because there is no matplotlib", page.display()))
+            Ok(_) if !missing_packages(&code).is_empty() => {
+                let missing = missing_packages(&code).join(" and ");
+                say(&format!("SKIPPED: {}, because there is no {missing}", page.display()))
             }
             Ok(mut python) => {
                 assert_eq!(

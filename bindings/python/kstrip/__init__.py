@@ -30,6 +30,8 @@ Functions by subject:
     curve, curve_motion, gauge_face, rolling_radius_difference, equivalent_conicity   curves, gauge, conicity
     estimate_friction, creepage_for_force, fit_friction, on_upper_body                test rigs; forces on the wheel
     kstrip.plot                                                                       plots; pip install kstrip[plot]
+    kstrip.arrays                                                                     TOTAL for arrays of JAX, CuPy, PyTorch
+    python -m kstrip                                                                  commands on files
     lib, constants, dtypes, models                                                    the C library itself, unchecked
 
 Units and signs: SI units. Forces act on the LOWER body (the rail) and have the sense of the creepage, but those of wheels act on the wheel.

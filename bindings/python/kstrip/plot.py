@@ -64,6 +64,8 @@ def creep_curve(contact: Contact, creepage: Optional[ArrayLike] = None, *, spin:
 
     contact: one contact(). creepage: array [-]; None: to where the linear force is four times the friction bound.
     spin: [1/m]. models: their names. friction: a law of friction() that falls with the slip.
+
+    >>> figure = plot.creep_curve(contact, models=("total", "strip", "linear"))
     """
     bound = contact.friction * contact.normal_force
     if creepage is None:
@@ -91,6 +93,8 @@ def traction_map(area: Union[Contact, Patch], creepage: Creepage, *, model: Mode
     """Traction on the lower body [MPa] as colour and arrows, and the border of stick and slip; x, the rolling direction, points up.
 
     area: one contact(), or a patch of any shape. creepage: one creepage().
+
+    >>> figure = plot.traction_map(contact, kstrip.creepage(3e-4, spin=0.6))
     """
     if isinstance(area, Patch):
         used = area.strips[: area.count]
@@ -131,6 +135,10 @@ def patch_on_profiles(rail: PreparedProfile, wheel: PreparedProfile, pair: Wheel
     """Where a wheel touches a rail: both profiles with the patches on them, and below the pressure [MPa] in each patch.
 
     rail, wheel, pair, position: of one wheel, as in wheel_on_rail(). A left wheel is drawn as its mirror image, a right one.
+
+    >>> position = kstrip.wheel_position(lateral=-5.2e-3)
+    >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
+    >>> figure = plot.patch_on_profiles(rail, wheel, pair, position)
     """
     still = wheel_velocity(forward=1.0, pitch=-1.0 / pair.wheel_radius)
     contacts = list(wheel_on_rail(rail, wheel, pair, position, still).contacts)
@@ -205,6 +213,8 @@ def lateral_shift(wheelset: Wheelset, track: Track, shifts: ArrayLike, load: flo
     wheelset, track: Wheelset and Track; the rails are at rest. shifts: to the right [m]. load: vertical force that each rail carries [N].
     velocity: of both wheels; None: 20 m/s, rolling at the nominal radius. Where a wheel has no position that carries the load the curves
     have a gap.
+
+    >>> figure = plot.lateral_shift(wheelset, track, np.linspace(-6e-3, 6e-3, 5), load=50e3)
     """
     across = np.asarray(shifts, float)
     moves = wheel_velocity(forward=20.0, pitch=-20.0 / wheelset.pair.wheel_radius) if velocity is None else velocity
@@ -239,6 +249,9 @@ def wheelset(on: WheelsetOnTrack, *, figure: Any = None) -> Any:
     """Both wheels of one wheelset on their rails, seen in the direction of travel, with the load and the angle of each contact.
 
     on: of wheelset_on_track(), for one wheelset with its contacts.
+
+    >>> still = kstrip.wheelset_settle(wheelset, track, kstrip.wheel_position(lateral=3e-3), velocity, 100e3)
+    >>> figure = plot.wheelset(kstrip.wheelset_on_track(wheelset, track, still.position, still.velocity))
     """
     if isinstance(on.position, Batch) or on.forces.wheel.ndim != 1:
         raise ValueError("on: one wheelset is needed, not many of them")
@@ -275,6 +288,10 @@ def wear(on: Union[WheelOnRail, WheelOfWheelset, WheelsetOnTrack], *, width: flo
 
     on: of wheel_on_rail() or wheelset_on_track(), with its contacts; of many positions the mean is drawn. width: of the parts of the
     profile [m]. The T-gamma of a contact is spread over its strips in proportion to their loads.
+
+    >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5), yaw=1e-3)
+    >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 100e3)
+    >>> figure = plot.wear(kstrip.wheelset_on_track(wheelset, track, still.position, still.velocity))
     """
     wheels: list[tuple[str, OfContacts]] = [("right", on.right), ("left", on.left)] if isinstance(on, WheelsetOnTrack) else [("wheel", on)]
     drawn = _new(figure, 6.0, 3.6)
@@ -304,6 +321,8 @@ def conicity(wheelset: Wheelset, track: Track, amplitudes: Optional[ArrayLike] =
 
     wheelset, track: Wheelset and Track; one of each. amplitudes: [m]; None: 0.5 to 8 mm. Amplitudes that the profiles do not reach have
     no conicity.
+
+    >>> figure = plot.conicity(wheelset, track, [1e-3, 3e-3, 5e-3])
     """
     places = np.linspace(0.5e-3, 8e-3, 76) if amplitudes is None else np.asarray(amplitudes, float)
     shifts = np.linspace(-1.4, 1.4, 281) * float(places.max())
@@ -328,6 +347,8 @@ def measured_curve(contact: Contact, creepage: ArrayLike, force: ArrayLike, laws
     contact: one contact(). creepage [-] and force [N]: the measured points, one after the other. lateral: they are lateral.
     laws: a law of friction(), or laws by the names of their curves; None is clean and constant friction.
     The legend has the root mean square of the distance to the points, divided by the load.
+
+    >>> figure = plot.measured_curve(contact, [1e-3, 2e-3, 4e-3], [8e3, 14e3, 19e3], {"clean": None, "wet": kstrip.friction(0.25)})
     """
     places, forces = np.ravel(np.asarray(creepage, float)), np.ravel(np.asarray(force, float))
     if places.shape != forces.shape:

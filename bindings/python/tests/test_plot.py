@@ -1,6 +1,9 @@
 """The pictures: labelled axes with units, colours that stand out, the numbers of the library. Needs matplotlib."""
 
+import contextlib
 import dataclasses
+import doctest
+import io
 import os
 import pathlib
 import sys
@@ -88,6 +91,16 @@ class Pictures(unittest.TestCase):
         # Patches lie on both profiles, which overlap by less than .2 mm
         contact, rail = right.axes[0].lines[2].get_xydata().mean(axis=0), right.axes[0].lines[0]
         self.assertLess(abs(np.interp(contact[0], *rail.get_xydata().T) - contact[1]), 1.0)
+
+    def test_every_function_has_an_example_that_runs(self):
+        scope = {"kstrip": kstrip, "np": np, "plot": plot, "contact": pictures.CONTACT, "rail": pictures.RAIL, "wheel": pictures.WHEEL,
+                 "pair": pictures.PAIR, "wheelset": pictures.WHEELSET, "track": pictures.TRACK,
+                 "velocity": kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46)}
+        found = {test.name.split(".")[-1]: test for test in doctest.DocTestFinder().find(plot, globs=scope)}
+        for name in ALL:
+            with self.subTest(name=name), contextlib.redirect_stdout(io.StringIO()) as said:
+                result = doctest.DocTestRunner().run(found[name])
+                self.assertTrue(result.attempted > 0 and result.failed == 0, said.getvalue())
 
     def test_a_figure_to_draw_into(self):
         figure = plt.figure(layout="constrained")
