@@ -1346,6 +1346,22 @@ struct basic_wheel_velocity {
 };
 KSTRIP_HPP_BOTH(wheel_velocity)
 
+/// The position of six numbers in the order of the derivatives of a wrench: forward, lateral, vertical [m], roll, pitch, yaw [rad].
+/// Forward and pitch have no influence.
+template <class T>
+constexpr basic_wheel_position<T> wheel_position_of(const std::array<T, 6> &six) noexcept
+{
+    return {basic_metres<T>(six[1]), basic_metres<T>(six[2]), basic_radians<T>(six[5]), basic_radians<T>(six[3])};
+}
+
+/// The velocity of six numbers in the same order [m/s, rad/s].
+template <class T>
+constexpr basic_wheel_velocity<T> wheel_velocity_of(const std::array<T, 6> &six) noexcept
+{
+    return {basic_metres_per_second<T>(six[0]),   basic_metres_per_second<T>(six[1]),   basic_metres_per_second<T>(six[2]),
+            basic_radians_per_second<T>(six[3]), basic_radians_per_second<T>(six[4]), basic_radians_per_second<T>(six[5])};
+}
+
 /// Materials, friction (one number, or numbers at places y of the rail), side, strips, model.
 template <class T>
 struct basic_wheel_pair {

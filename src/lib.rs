@@ -76,9 +76,13 @@
 //! # Ok::<(), kstrip::status::Error>(())
 //! ```
 //!
-//! The programs in `examples` go on from here: `creep_curve.rs` computes a creep curve,
-//! `measured_curve.rs` fits a law of friction to measured forces, and `wheelset.rs` integrates the
-//! motion of a wheelset that hunts, brakes to a stop, rolls back and lifts a wheel.
+//! More examples:
+//!
+//! * many contacts at once: [`batch::solve_batch`];
+//! * a wheelset on a track: [`wheelset`](wheelset#example);
+//! * programs in `examples`: `creep_curve.rs` computes a creep curve, `measured_curve.rs` fits a
+//!   law of friction to measured forces, and `wheelset.rs` integrates the motion of a wheelset that
+//!   hunts, brakes to a stop, rolls back and lifts a wheel.
 
 #![no_std]
 #![deny(missing_docs, unsafe_code)]

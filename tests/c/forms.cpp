@@ -29,9 +29,16 @@ static_assert(std::is_constructible_v<kstrip::lengths<double>, std::vector<doubl
 static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::vector<float>>);
 static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::vector<kstrip::newtons>>);
 static_assert(!std::is_constructible_v<kstrip::lengths<double>, std::list<double>>);
+// Six numbers are a position or a velocity, and back
+constexpr std::array<double, 6> six_numbers{1, 2, 3, 4, 5, 6};
+static_assert(kstrip::wheel_position_of(six_numbers).lateral == 2_m && kstrip::wheel_position_of(six_numbers).vertical == 3_m);
+static_assert(kstrip::wheel_position_of(six_numbers).roll == 4_rad && kstrip::wheel_position_of(six_numbers).yaw == 6_rad);
+static_assert(kstrip::wheel_velocity_of(six_numbers).forward == 1_m_per_s && kstrip::wheel_velocity_of(six_numbers).pitch == 5_rad_per_s);
+static_assert(kstrip::wheel_position_of(std::array<float, 6>{0, 2}).lateral == 2_m_f32);
 
 int main()
 {
+    expect(std::array<double, 6>(kstrip::wheel_velocity_of(six_numbers)) == six_numbers, "a velocity of six numbers");
     const kstrip::contact contact{6_mm, 4.5_mm, 80_kN, 82_GPa, 0.28, 0.3};
     const kstrip::creepage motion{1e-3, 0.5e-3, 0.4_per_m};
     const kstrip::friction wet{0.3, 0.4, 0.6_s_per_m, 20_m_per_s};
