@@ -445,7 +445,9 @@ found = kstrip.estimate_friction(contact[0], kstrip.creepage(1e-3), fx=result.fx
             right.write_text(self.RIGHT, encoding="utf-8")
             wrong.write_text(self.RIGHT + "\n".join(self.WRONG) + "\n", encoding="utf-8")
             first = len(self.RIGHT.splitlines()) + 1
-            examples = [FOLDER / name for name in ("tour.py", "wheel_on_rail.py", "pictures.py", "vehicle.py")]
+            examples = [FOLDER / name for name in ("tour.py", "wheel_on_rail.py", "pictures.py")]
+            if importlib.util.find_spec("scipy") is not None:
+                examples.append(FOLDER / "vehicle.py")
             runs = {name: self.run_checker(name, [FOLDER / "kstrip", right, wrong, *(examples if name == "pyright" else [])]) for name in names}
             said_by = {name: run.communicate()[0] for name, run in runs.items()}
             for name, said in said_by.items():
