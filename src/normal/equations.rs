@@ -5,7 +5,7 @@
 
 use crate::normal::cell::CELLS;
 use crate::number::avx::with_avx;
-use crate::number::{Dual, Float, add_at, set_at};
+use crate::number::{Dual, Float, add_at, at, set_at};
 use core::ops::Range;
 use heapless::Vec;
 
@@ -22,8 +22,89 @@ struct Row<F, const N: usize, const ROOM: usize> {
     slopes: [[F; ROOM]; N],
     /// What is added to the cell's influence on itself in the equations that are solved.
     softer: F,
-    /// Of Gauss's elimination.
+    /// Of Gauss's elimination: what is left of the row from its diagonal on, and before it the
+    /// factors of the rows above.
     factors: [F; ROOM],
+    /// One over the diagonal; zero of a cell that does not touch.
+    inverse: F,
+}
+
+impl<F: Float, const N: usize, const ROOM: usize> Row<F, N, ROOM> {
+    fn nothing() -> Self {
+        let none = [F::zero(); ROOM];
+        Self {
+            influence: none,
+            slopes: [none; N],
+            softer: F::zero(),
+            factors: none,
+            inverse: F::zero(),
+        }
+    }
+
+    /// Its numbers from one four on, before another.
+    fn fours(&self, range: Range<usize>) -> &[[F; 4]] {
+        self.factors.as_chunks::<4>().0.get(range).unwrap_or(&[])
+    }
+
+    /// Subtracts multiples of four successive rows above, whose diagonals stand in one four. In the
+    /// columns of these diagonals zeros would be left; there the factors are written:
+    ///
+    /// ```text
+    /// f_k = a_ik/u_kk,   a_ij ← a_ij − f_k u_kj   (j > k)
+    /// ```
+    #[inline(always)]
+    fn eliminate(&mut self, range: Range<usize>, above: &[Self; 4]) {
+        let list = self.factors.as_chunks_mut::<4>().0.get_mut(range.clone());
+        let fours = above.each_ref().map(|row| row.fours(range.clone()).split_first());
+        let Some((own, beyond)) = list.and_then(|list| list.split_first_mut()) else { return };
+        let [Some((a, a_beyond)), Some((b, b_beyond)), Some((c, c_beyond)), Some((_, d_beyond))] =
+            fours
+        else {
+            return;
+        };
+        let [inverse_a, inverse_b, inverse_c, inverse_d] = above.each_ref().map(|row| row.inverse);
+        let ([_, a1, a2, a3], [_, _, b2, b3], [_, _, _, c3]) = (*a, *b, *c);
+        let [own_a, own_b, own_c, own_d] = *own;
+        let f_a = own_a * inverse_a;
+        let f_b = (own_b - f_a * a1) * inverse_b;
+        let f_c = (own_c - f_a * a2 - f_b * b2) * inverse_c;
+        let f_d = (own_d - f_a * a3 - f_b * b3 - f_c * c3) * inverse_d;
+        *own = [f_a, f_b, f_c, f_d];
+        let rows = a_beyond.iter().zip(b_beyond).zip(c_beyond.iter().zip(d_beyond));
+        for (own, ((a, b), (c, d))) in beyond.iter_mut().zip(rows) {
+            let mut left = *own;
+            subtract(&mut left, f_a, a);
+            subtract(&mut left, f_b, b);
+            subtract(&mut left, f_c, c);
+            subtract(&mut left, f_d, d);
+            *own = left;
+        }
+    }
+
+    /// The same of one row, whose diagonal is number `k` of its four.
+    #[inline(always)]
+    fn eliminate_one(&mut self, range: Range<usize>, k: usize, above: &Self) {
+        let list = self.factors.as_chunks_mut::<4>().0.get_mut(range.clone());
+        let rows = (list.and_then(|list| list.split_first_mut()), above.fours(range).split_first());
+        let (Some((own, beyond)), Some((first, rest))) = rows else { return };
+        let Some(entry) = own.get_mut(k) else { return };
+        let factor = *entry * above.inverse;
+        *entry = factor;
+        for (own, above) in own.iter_mut().zip(first).skip(k + 1) {
+            *own -= factor * *above;
+        }
+        for (own, above) in beyond.iter_mut().zip(rest) {
+            subtract(own, factor, above);
+        }
+    }
+}
+
+/// `own ← own − f above`
+#[inline(always)]
+fn subtract<F: Float>(own: &mut [F; 4], factor: F, above: &[F; 4]) {
+    for (own, above) in own.iter_mut().zip(above) {
+        *own -= factor * *above;
+    }
 }
 
 /// The equations of as many cells as there are, with room for so many.
@@ -39,9 +120,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
 
     /// Makes room for so many cells, in place.
     pub(super) fn make_room(&mut self, count: usize) {
-        let none = [F::zero(); ROOM];
-        let row = || Row { influence: none, slopes: [none; N], softer: F::zero(), factors: none };
-        while self.rows.len() < count && self.rows.push(row()).is_ok() {}
+        while self.rows.len() < count && self.rows.push(Row::nothing()).is_ok() {}
     }
 
     /// Sets how far the pressure of cell `j` deflects each cell.
@@ -138,35 +217,29 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     }
 
     /// Gauss's elimination without pivots of the rows and columns of touching cells: the diagonal
-    /// is the largest of its row. Below it stand the factors. Columns of other cells are computed
-    /// too and not used.
+    /// is the largest of its row. From each row those above are subtracted, four at once.
     #[inline(always)]
     fn factorise(&mut self, touching: &[usize]) {
         let fours = self.fours();
-        for (k, Row { influence, softer, factors, .. }) in self.rows.iter_mut().enumerate() {
-            *factors = *influence;
-            add_at(factors, k, *softer);
+        for row in &mut self.rows {
+            row.inverse = F::zero();
         }
-        for (order, &k) in touching.iter().enumerate() {
-            let Some(mut pivot) = self.rows.get(k).map(|row| row.factors) else { return };
-            let inverse = F::one() / pivot.get(k).copied().unwrap_or(F::one());
-            // before the diagonal stand factors
-            for entry in pivot.iter_mut().take(k + 1).skip(k / 4 * 4) {
-                *entry = F::zero();
+        for &i in touching {
+            let Some((above, [row, ..])) = self.rows.split_at_mut_checked(i) else { return };
+            let Row { influence, softer, factors, .. } = row;
+            let influence = influence.as_chunks::<4>().0.iter().take(fours);
+            for (own, influence) in factors.as_chunks_mut::<4>().0.iter_mut().zip(influence) {
+                *own = *influence;
             }
-            for i in touching.get(order + 1..).unwrap_or(&[]) {
-                let Some(Row { factors, .. }) = self.rows.get_mut(*i) else { return };
-                let factor = factors.get(k).copied().unwrap_or(F::zero()) * inverse;
-                let own = factors.as_chunks_mut::<4>().0.get_mut(k / 4..fours);
-                let above = pivot.as_chunks::<4>().0.get(k / 4..fours);
-                let (Some(own), Some(above)) = (own, above) else { return };
-                for (own, above) in own.iter_mut().zip(above) {
-                    for (own, above) in own.iter_mut().zip(above) {
-                        *own -= factor * *above;
-                    }
-                }
-                set_at(factors, k, factor);
+            add_at(factors, i, *softer);
+            let (blocks, rest) = above.as_chunks::<4>();
+            for (block, above) in blocks.iter().enumerate() {
+                row.eliminate(block..fours, above);
             }
+            for (k, above) in rest.iter().enumerate() {
+                row.eliminate_one(blocks.len()..fours, k, above);
+            }
+            row.inverse = F::one() / at(&row.factors, i);
         }
     }
 
