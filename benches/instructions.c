@@ -13,7 +13,12 @@ enum {
     BATCH, BATCH_DERIVATIVES, BATCH_FALLING, BATCH_FALLING_DERIVATIVES, KINDS
 };
 /* of a profile with two bottoms, and of its patch */
-enum { FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_ON_RAIL, WHEEL_BY_POSITION, WHEELSET, WHEELSET_BY_POSITION, OF_PATCHES };
+enum {
+    FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_FORCES, WHEEL_HEIGHT, WHEEL_ON_RAIL, WHEEL_BY_POSITION, WHEELSET,
+    WHEELSET_BY_POSITION, OF_PATCHES
+};
+/* bottoms of a wheel's profile: none, two in one contact, three in one contact and in three, each by a share */
+enum { FLAT, TWO_BOTTOMS, THREE_BOTTOMS, SHAPES };
 /* Wheels are computed for the first of the creepages only. */
 enum { CALLS_OF_WHEELS = 32 };
 enum { POINTS = 400 };
@@ -73,23 +78,27 @@ static void press(int two, kstrip_patch *to)
     check(kstrip_patch_from_profile(&profile, &contact, to, NULL));
 }
 
-/* A wheel on a rail of 400 points each, with the same gap between them: a round rail, and a wheel that is flat or has two bottoms. */
+/* A wheel on a round rail of 400 points each. Without or with two bottoms there is the same gap between them as above; three are 8 mm apart. */
 static kstrip_surface rail, wheel;
 static kstrip_wheel_workspace workspace;
 static const kstrip_wheel_pair pair = {.wheel_radius = 0.46, .shear_modulus = 82e9, .poisson_ratio = 0.28, .friction = 0.3};
 static kstrip_wheel_position position;
+static double load;
 
-static void place(int two)
+static void place(int shape)
 {
     static double y[POINTS], below[POINTS], bumps[POINTS];
     for (int i = 0; i < POINTS; i++) {
-        const double s = (y[i] = (i - 199.5) * 125e-6) / 6e-3;
+        const double s = (y[i] = (i - 199.5) * 125e-6) / 6e-3, r = y[i] / 8e-3, t = r > 1.3 ? 1.3 : r < -1.3 ? -1.3 : r;
         below[i] = y[i] * y[i] / 0.6;
-        bumps[i] = two * -90e-6 * (s * s - 1) * (s * s - 1);
+        bumps[i] = shape == TWO_BOTTOMS ? -90e-6 * (s * s - 1) * (s * s - 1) : 0;
+        if (shape == THREE_BOTTOMS)
+            bumps[i] = below[i] + 30e-6 * t - 1.3e-3 * t * t * (t * t - 1) * (t * t - 1);
     }
     check(kstrip_prepare_profile(y, below, POINTS, 0, 0, &rail));
     check(kstrip_prepare_profile(y, bumps, POINTS, 0, 0, &wheel));
-    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, 80e3, NULL, NULL, &workspace, &position.vertical));
+    load = shape == THREE_BOTTOMS ? 40e3 : 80e3;
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, &workspace, &position.vertical));
 }
 
 /* callgrind sets its counter to zero on entry and writes it on return. */
@@ -115,7 +124,7 @@ void counted_calls(int kind, const kstrip_options *options)
         to.derivatives = derivatives;
         to.derivatives_stride = sizeof *derivatives;
     }
-    if (kind >= WHEEL_ON_RAIL) {
+    if (kind >= WHEEL_FORCES) {
         static kstrip_wrench wrench;
         static kstrip_wrench_derivatives slopes;
         static kstrip_wrench_by_position by_position;
@@ -127,8 +136,12 @@ void counted_calls(int kind, const kstrip_options *options)
         const kstrip_track track = {.rail = {&rail}, .origin = {0.75, 0.75}};
         for (int i = 0; i < CALLS_OF_WHEELS; i++) {
             const kstrip_wheel_velocity velocity = {.forward = 20, .pitch = -(1 + creepages[i].longitudinal) * 20 / 0.46};
-            if (kind < WHEELSET)
-                check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench, &slopes,
+            if (kind == WHEEL_HEIGHT) {
+                double height;
+                check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, &workspace, &height));
+            } else if (kind < WHEELSET)
+                check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench,
+                                           kind == WHEEL_FORCES ? NULL : &slopes,
                                            kind == WHEEL_BY_POSITION ? &by_position : NULL));
             else
                 check(kstrip_wheelset_on_track(&set, &track, &position, &velocity, &both, &forces, &by,
@@ -231,17 +244,19 @@ int main(void)
                            has_strips ? (int)strips : 0);
                     (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
-    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_on_rail",
+    static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_forces", "wheel_height", "wheel_on_rail",
                                              "wheel_by_position", "wheelset", "wheelset_by_position"};
+    static const char *const shapes[] = {"one_zone", "two_zones", "three_contacts"};
     for (int kind = FROM_PROFILE; kind < OF_PATCHES; kind++)
-        for (int two = 0; two < 2; two++) {
-            const kstrip_options options = {KSTRIP_MODEL_STRIP, two ? 0 : 16};
-            printf("STRIP f64 %s_%s_%s 16\n", of_patches[kind - FROM_PROFILE], two ? "two" : "one",
-                   two ? "zones" : "zone");
-            if (kind >= WHEEL_ON_RAIL)
-                place(two);
+        for (int shape = FLAT; shape < SHAPES; shape++) {
+            const kstrip_options options = {KSTRIP_MODEL_STRIP, shape == FLAT ? 16 : 0};
+            if (shape == THREE_BOTTOMS && (kind < WHEEL_FORCES || kind >= WHEELSET))
+                continue;
+            printf("STRIP f64 %s_%s 16\n", of_patches[kind - FROM_PROFILE], shapes[shape]);
+            if (kind >= WHEEL_FORCES)
+                place(shape);
             else
-                press(two, &patch);
+                press(shape == TWO_BOTTOMS, &patch);
             counted_calls(kind, &options);
         }
     return EXIT_SUCCESS;

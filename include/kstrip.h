@@ -157,7 +157,10 @@ typedef int32_t kstrip_status;
  * that the pressure depends on the shape between the points.
  */
 #define KSTRIP_WARNING_PROFILE_COARSE 26
-/** Warning: a contact has more lobes than its strips tell apart, and its load may jump. */
+/**
+ * Warning: a contact has more lobes than its strips tell apart, or a wheel has more than four
+ * contacts and the nearest count as one: the load may jump.
+ */
 #define KSTRIP_WARNING_ROUGH 27
 /**
  * Warning: implausible curvature of the track, above 0.2 per m: it is probably the radius of the
@@ -1583,7 +1586,7 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 
 /**
  * Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
- * less than 8 mm apart.
+ * less than 7 mm apart.
  */
 #define KSTRIP_CONTACTS_CAPACITY 6
 
@@ -1945,7 +1948,7 @@ typedef struct kstrip_wheel_contact {
     /** Load of the strips [N]. */
     double normal_force;
     /**
-     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8
+     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 5 to 7
      * mm apart, which count partly by themselves and partly as one contact.
      */
     double share;
@@ -2025,9 +2028,10 @@ typedef struct kstrip_wheel_contact {
 /**
  * The contacts of a gap, in ascending y of a right wheel.
  *
- * Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8
+ * Zones of overlap less than 5 mm apart are one contact and one normal problem; zones more than 7
  * mm apart are contacts of their own. Between these distances the common contact and the single
- * ones each count by a share.
+ * ones each count by a share. Of more than four contacts the nearest neighbours are one, with
+ * KSTRIP_WARNING_ROUGH.
  *
  * @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
@@ -2036,9 +2040,9 @@ typedef struct kstrip_wheel_contact {
  * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
  *                        memory of the computation too: after an error it may have changed.
  * @param[out] count      receives their number; 0: the wheel is lifted.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
- *         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
- *         (lengths or places of friction do not ascend, an angle beyond 2.3),
+ * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
+ *         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PROFILE (lengths or places of friction do not
+ *         ascend, an angle beyond 2.3),
  *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
  *         kstrip_patch_from_profile().
  */
@@ -2193,7 +2197,8 @@ typedef struct kstrip_wrench_by_position {
  * In a curve, pass the velocity relative to the momentary track, which is at rest; on a roller
  * that of the wheel's centre in the axes of the rig. Force and moment are continuous in position
  * and velocity, but where a rail is so rough that its normals cross below the wheel. A contact
- * appears and vanishes with zero load, and two become one between 8 and 4 mm. The time is bounded.
+ * appears and vanishes with zero load, and two become one between 7 and 5 mm. Only with
+ * KSTRIP_WARNING_ROUGH forces may jump. The time is bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.

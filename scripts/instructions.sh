@@ -83,12 +83,14 @@ table=$(awk '
             printf "| %d | %d | %d |\n", other[m, "derivatives"], other[m, "layer"], other[m, "layer_derivatives"]
         }
         print "\nPatches, wheels and wheelsets with STRIP (the derivatives of wheels are those by velocity):\n"
-        print "| | one wide zone | two narrow zones |"
-        print "|---|---|---|"
-        count = split("from_profile patch patch_derivatives wheel_on_rail wheel_by_position wheelset wheelset_by_position", kinds, " ")
-        split("`kstrip_patch_from_profile`;`kstrip_patch_evaluate`;with derivatives;`kstrip_wheel_on_rail` with derivatives;by position too;`kstrip_wheelset_on_track` with derivatives;by position too", names, ";")
-        for (i = 1; i <= count; i++)
-            printf "| %s | %d | %d |\n", names[i], other["STRIP", kinds[i] "_one_zone"], other["STRIP", kinds[i] "_two_zones"]
+        print "| | one wide zone | two narrow zones | three contacts, 5 mm apart |"
+        print "|---|---|---|---|"
+        count = split("from_profile patch patch_derivatives wheel_forces wheel_on_rail wheel_by_position wheel_height wheelset wheelset_by_position", kinds, " ")
+        split("`kstrip_patch_from_profile`;`kstrip_patch_evaluate`;with derivatives;`kstrip_wheel_on_rail`;with derivatives;by position too;`kstrip_height_for_load`;`kstrip_wheelset_on_track` with derivatives;by position too", names, ";")
+        for (i = 1; i <= count; i++) {
+            three = other["STRIP", kinds[i] "_three_contacts"]
+            printf "| %s | %d | %d | %s |\n", names[i], other["STRIP", kinds[i] "_one_zone"], other["STRIP", kinds[i] "_two_zones"], three ? three : "–"
+        }
     }' "$file")
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }

@@ -350,7 +350,8 @@ statuses! {
              so that the pressure depends on the shape between the points",
             "pass more points";
         KSTRIP_WARNING_ROUGH Rough = 27 gravity 2:
-            "a contact has more lobes than its strips tell apart, and its load may jump",
+            "a contact has more lobes than its strips tell apart, or a wheel has more than four \
+             contacts and the nearest count as one: the load may jump",
             "smooth the profile, or take more strips";
         KSTRIP_WARNING_CURVATURE Curvature = 28 gravity IMPLAUSIBLE:
             "implausible curvature of the track, above 0.2 per m: it is probably the radius of \

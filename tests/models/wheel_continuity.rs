@@ -318,6 +318,48 @@ fn a_zone_without_depth_changes_nothing() {
     assert!(changes >= 4, "{changes}");
 }
 
+/// A ground rail, whose facets of 7 mm have edges that a hollow wheel touches in many places: what
+/// there is no room for is part of its neighbours, with a warning, and no force jumps.
+#[test]
+fn a_ground_rail_is_never_refused() {
+    let edge = 7e-3;
+    let rail = drawn(0.042, 841, |y| {
+        let facet = (y / edge).floor();
+        let [from, to] = [facet, facet + 1.0].map(|k| (k * edge).powi(2) / 0.6);
+        from + (to - from) * (y / edge - facet) + (y.abs() - 25e-3).max(0.0).powi(2) / 0.03
+    });
+    let wheel = drawn(0.0504, 841, |y| y * y / 0.62);
+    let mut over = over(&rail, &wheel, 0.0, Position::default());
+    let mut memory = zeroed::<Workspace<f64>>();
+    let (mut many, mut most, mut jumps) = (0, 0, 0);
+    for load in [2e3, 5e3, 10e3, 20e3, 80e3] {
+        for k in 0..60 {
+            let lateral = -3e-3 + 1e-4 * f64::from(k);
+            over.position = placed([lateral, 0.0, 0.0, 0.0]);
+            let found = over.scene().height_for_load(&over.position, load, None, &mut memory);
+            over.position.vertical = found.unwrap().0;
+            let wrench = over.solve(&mut memory).unwrap();
+            many += usize::from(wrench.warning == Warning::Rough);
+            most = most.max(memory.count);
+            let listed: f64 =
+                memory.found().iter().map(|contact| contact.share * contact.normal_force).sum();
+            assert!((listed / wrench.normal_force - 1.0).abs() < 1e-9, "{load} {lateral}");
+            if k % 12 == 5 {
+                let (jump, at) = largest_jump(&mut over, 0, lateral - 5e-5, lateral + 5e-5, 40);
+                // beside so many contacts a further one may begin with a jump
+                let crowded = [at - 1e-6, at + 1e-6].into_iter().any(|place| {
+                    over.position.lateral = place;
+                    over.solve(&mut memory).unwrap().warning == Warning::Rough
+                });
+                jumps += usize::from(crowded && jump > 1e-8);
+                assert!(jump < if crowded { 0.05 } else { 1e-8 }, "{load} {at:e}: {jump:e} of N");
+            }
+        }
+    }
+    println!("{many} of 300 with a warning, {most} contacts, {jumps} jumps");
+    assert!(many > 0 && most > 4, "{many} {most}");
+}
+
 /// A flange and a tread 45 mm apart: while the wheel sinks into both, the load of the flange rises
 /// evenly, whichever of them is deeper.
 #[test]

@@ -231,7 +231,7 @@ fn derivatives_by_position_follow_the_shares_of_contacts() {
     let (mut rail, mut wheel) =
         (zeroed::<PreparedProfile<f64>>(), zeroed::<PreparedProfile<f64>>());
     rail.prepare(&y, &y.map(|y| y * y / 0.6), 0.0, 0.0).unwrap();
-    let bumps = y.map(|y| -(180e-6 + 0.008 * y) * ((y / 3.5e-3).powi(2) - 1.0).powi(2));
+    let bumps = y.map(|y| -(180e-6 + 0.008 * y) * ((y / 4.5e-3).powi(2) - 1.0).powi(2));
     wheel.prepare(&y, &bumps, 0.0, 0.0).unwrap();
     let pair = steel(0.46);
     let (rail, wheel) = (&*rail, &*wheel);

@@ -707,7 +707,7 @@ class WheelContact(Value):
     angle_range: Range of the angle over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.
     radius: Distance of the origin from the axle [m].
     normal_force: Load of the strips [N].
-    share: Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 4 to 8 mm apart, which count partly by themselves and partly as one contact.
+    share: Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 5 to 7 mm apart, which count partly by themselves and partly as one contact.
     approach: Overlap of the undeformed, smoothed surfaces where it is deepest [m].
     stiffness: Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].
     along: Length on the rail at y = 0 of the patch [m].

@@ -95,9 +95,10 @@ pub extern "C" fn kstrip_touch(
 
 /// The contacts of a gap, in ascending y of a right wheel.
 ///
-/// Zones of overlap less than 4 mm apart are one contact and one normal problem; zones more than 8
+/// Zones of overlap less than 5 mm apart are one contact and one normal problem; zones more than 7
 /// mm apart are contacts of their own. Between these distances the common contact and the single
-/// ones each count by a share.
+/// ones each count by a share. Of more than four contacts the nearest neighbours are one, with
+/// KSTRIP_WARNING_ROUGH.
 ///
 /// @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
@@ -106,9 +107,9 @@ pub extern "C" fn kstrip_touch(
 /// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
 ///                        memory of the computation too: after an error it may have changed.
 /// @param[out] count      receives their number; 0: the wheel is lifted.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY,
-///         KSTRIP_ERROR_PATCH_SIZE (more contacts than there is room for), KSTRIP_ERROR_PROFILE
-///         (lengths or places of friction do not ascend, an angle beyond 2.3),
+/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
+///         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PROFILE (lengths or places of friction do not
+///         ascend, an angle beyond 2.3),
 ///         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
 ///         kstrip_patch_from_profile().
 #[unsafe(export_name = symbol!("kstrip_contacts_from_gap"))]
@@ -193,7 +194,8 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 /// In a curve, pass the velocity relative to the momentary track, which is at rest; on a roller
 /// that of the wheel's centre in the axes of the rig. Force and moment are continuous in position
 /// and velocity, but where a rail is so rough that its normals cross below the wheel. A contact
-/// appears and vanishes with zero load, and two become one between 8 and 4 mm. The time is bounded.
+/// appears and vanishes with zero load, and two become one between 7 and 5 mm. Only with
+/// KSTRIP_WARNING_ROUGH forces may jump. The time is bounded.
 ///
 /// @param rail, wheel     prepared profiles.
 /// @param pair            materials, friction, side, number of strips, model.

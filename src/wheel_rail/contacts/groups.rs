@@ -1,12 +1,12 @@
 //! Which zones of overlap are one contact.
 //!
-//! Zones less than 4 mm apart are one contact, as in CONTACT, and zones more than 8 mm apart are
-//! not. Between these distances both hold, each by a share. Everything depends on the **free
-//! length** between zones: the length along the rail over which the surfaces do not overlap. It
-//! does not change when a zone between two others begins with no depth, nor when a zone is divided
-//! by a crest that rises out of the overlap.
+//! Zones less than 5 mm apart are one contact, and zones more than 7 mm apart are not. Between
+//! these distances both hold, each by a share. Everything depends on the **free length** between
+//! zones: the length along the rail over which the surfaces do not overlap. It does not change when
+//! a zone between two others begins with no depth, nor when a zone is divided by a crest that rises
+//! out of the overlap.
 //!
-//! For a length `T` between 4 and 8 mm and a depth `ℓ`, a zone is *strong* where it is deeper than
+//! For a length `T` between 5 and 7 mm and a depth `ℓ`, a zone is *strong* where it is deeper than
 //! `ℓ`.
 //!
 //! * Two successive strong zones, with all zones between them, are one group where their free
@@ -15,34 +15,37 @@
 //!   one is. A weak zone beyond the last strong zone belongs to it where it is nearer than `T`. The
 //!   others are one group.
 //!
-//! The share of a group is the probability that it exists, where `ℓ` is spread evenly from 0 to a
-//! part of the largest depth, and `T` such that it exceeds a free length `f` with the probability
-//! `w(f)`, which falls smoothly from 1 at 4 mm to 0 at 8 mm. Thus no share jumps when a zone
-//! appears, vanishes, is divided or merges.
+//! So `T` and `ℓ` part the zones into groups. The share of a group is the probability of its
+//! partitions, where `ℓ` is spread evenly between two parts of the largest depth, and `T` such that
+//! it exceeds a free length `f` with the probability `w(f)`, which falls smoothly from 1 at 5 mm to
+//! 0 at 7 mm. Thus no share jumps when a zone appears, vanishes, is divided or merges.
+//!
+//! **Room.** Where more than four groups would be left, `T` begins at the length at which four are
+//! left. Where all partitions together have more groups than there is room for, the least probable
+//! ones are left out, and the others lose the probability `p₀` of the most probable one of these:
+//! `(p − p₀)/Σ(p − p₀)`. Either is a continuous change, but where a zone begins beside so many
+//! others.
 
 use crate::normal::crossings::Overlap;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float};
 use crate::numerics::{ramp, smooth_step};
-use crate::status::Error;
+use crate::wheel_rail::KSTRIP_CONTACTS_CAPACITY;
 use core::mem;
 use heapless::Vec;
 
-/// Free length up to which zones are one contact, and from which they are independent \[m\].
-pub(super) const ONE_CONTACT: f64 = 4e-3;
-const APART: f64 = 8e-3;
-/// Largest depth of a weak zone over that of the deepest zone.
-const WEAK: f64 = 0.3;
+/// Least length `T`, free length up to which zones are one contact \[m\].
+const ONE_CONTACT: f64 = 5e-3;
+/// Range of `T` \[m\].
+pub(super) const BLEND: f64 = 2e-3;
+/// Range of the depth below which a zone is weak, over that of the deepest zone.
+const WEAK: [f64; 2] = [0.1, 0.2];
 /// Largest number of zones that are told apart.
 pub(super) const ZONES: usize = 16;
-
-/// Probability that `T` exceeds a free length: 1 up to 4 mm, 0 from 8 mm on, smooth between.
-fn nearness<F: Float>(free: F) -> F {
-    F::one() - smooth_step(ramp(free, [ONE_CONTACT, APART]))
-}
-
-/// Largest number of groups.
-pub(super) const GROUPS: usize = 2 * ZONES;
+/// Largest number of groups of a partition.
+const APART: usize = 4;
+/// Largest number of partitions that are told apart.
+const PARTITIONS: usize = 32;
 
 /// Zones of overlap in ascending order.
 pub(super) struct Overlaps<F> {
@@ -60,13 +63,32 @@ pub(super) struct Group<F> {
 }
 
 /// Groups of zones.
-pub(super) type Groups<F> = Vec<Group<F>, GROUPS>;
+pub(super) type Groups<F> = Vec<Group<F>, KSTRIP_CONTACTS_CAPACITY>;
 
-/// A zone where zones are grouped: its place, counted in free length, and whether it is strong.
+/// A zone where zones are grouped: its place, counted in free length, and its depth.
 #[derive(Clone, Copy)]
 struct GroupedZone<F> {
     free: F,
     depth: F,
+}
+
+/// A way of parting the zones into groups.
+struct Partition<F> {
+    /// Bit `k`: zones `k` and `k + 1` are in one group.
+    joined: u32,
+    probability: F,
+}
+
+impl<F: Float> Partition<F> {
+    /// First and last zone of each group.
+    fn groups(&self, zones: usize) -> impl Iterator<Item = [usize; 2]> {
+        let mut first = 0;
+        (0..zones).filter(move |k| k + 1 == zones || self.joined >> k & 1 == 0).map(move |last| {
+            let group = [first, last];
+            first = last + 1;
+            group
+        })
+    }
 }
 
 impl<F: Float> Overlaps<F> {
@@ -90,12 +112,41 @@ impl<F: Float> Overlaps<F> {
     }
 
     /// Adds the groups to none, in ascending order of their first zone; of several from one zone
-    /// on, in ascending order of their last.
-    ///
-    /// # Errors
-    /// [`Error::PatchSize`] for more than there is room for.
+    /// on, in ascending order of their last. Returns whether there was room for all of them.
     #[inline(never)]
-    pub fn group(&self, groups: &mut Groups<F>) -> Result<(), Error> {
+    pub fn group(&self, groups: &mut Groups<F>) -> bool {
+        let (partitions, mut all) = self.partitions();
+        let mut fitting = 0;
+        for partition in &partitions {
+            let is_new = |zones: &[usize; 2]| groups.iter().all(|group| group.zones != *zones);
+            let needed = partition.groups(self.list.len()).filter(is_new).count();
+            if groups.len() + needed > groups.capacity() {
+                all = false;
+                break;
+            }
+            for zones in partition.groups(self.list.len()) {
+                self.add(groups, zones);
+            }
+            fitting += 1;
+        }
+        let left_out = partitions.get(fitting).map_or(F::zero(), |first| first.probability);
+        // of several that are equally probable none is left out alone
+        let above = |partition: &Partition<F>| partition.probability - left_out + F::TINY;
+        let fitting = partitions.get(..fitting).unwrap_or(&[]);
+        let sum = fitting.iter().fold(F::zero(), |sum, partition| sum + above(partition));
+        for partition in fitting {
+            for zones in partition.groups(self.list.len()) {
+                if let Some(group) = groups.iter_mut().find(|group| group.zones == zones) {
+                    group.share += above(partition) / sum;
+                }
+            }
+        }
+        all
+    }
+
+    /// The partitions in descending order of their probability, and whether `T` begins at 5 mm.
+    fn partitions(&self) -> (Vec<Partition<F>, PARTITIONS>, bool) {
+        let (mut partitions, mut usual) = (Vec::new(), true);
         let mut places: Vec<GroupedZone<F>, ZONES> = Vec::new();
         let (mut at, mut deepest) = (F::zero(), F::zero());
         let mut last: Option<&Overlap<F>> = None;
@@ -105,50 +156,70 @@ impl<F: Float> Overlaps<F> {
             last = Some(zone);
             let _ = places.push(GroupedZone { free: at, depth: zone.depth });
         }
-        // between two successive bounds of ℓ, and of T, the groups are the same
-        let weak = deepest.times(WEAK);
-        let mut level = F::zero();
+        // between two successive bounds of ℓ, and of T, the partition is the same
+        let [mut level, weak] = WEAK.map(|weak| deepest.times(weak));
+        let range = weak - level;
         while level < weak {
             let depths = places.iter().map(|place| place.depth).filter(|depth| *depth > level);
             let next = depths.fold(weak, F::min);
             let strong = Strong { places: &places, level: next };
-            let mut length = F::of(ONE_CONTACT);
-            while length < F::of(APART) {
-                let bounds = strong.bounds().filter(|bound| *bound > length);
-                let longer = bounds.fold(F::of(APART), F::min);
-                let share = (nearness(length) - nearness(longer)) * ((next - level) / weak);
-                let mut first = 0;
-                for k in 0..places.len() {
-                    if k + 1 == places.len() || !strong.are_joined(k, length) {
-                        self.add(groups, [first, k], share)?;
-                        first = k + 1;
-                    }
-                }
+            let shortest = strong.shortest();
+            usual &= shortest <= F::of(ONE_CONTACT);
+            let longest = shortest.plus(BLEND);
+            let exceeds = |free: F| F::one() - smooth_step(ramp(free - shortest, [0.0, BLEND]));
+            let mut length = shortest;
+            while length < longest {
+                let longer = strong.next_bound(length, longest);
+                let joined = strong.joined(length);
+                let probability = (exceeds(length) - exceeds(longer)) * ((next - level) / range);
+                add_partition(&mut partitions, Partition { joined, probability });
                 length = longer;
             }
             level = next;
         }
-        Ok(())
+        (sorted(partitions), usual)
     }
 
-    fn add(&self, groups: &mut Groups<F>, zones: [usize; 2], share: F) -> Result<(), Error> {
-        if let Some(group) = groups.iter_mut().find(|group| group.zones == zones) {
-            group.share += share;
-            return Ok(());
+    /// Adds a group without share, if it is not there.
+    fn add(&self, groups: &mut Groups<F>, zones: [usize; 2]) {
+        if groups.iter().any(|group| group.zones == zones) {
+            return;
         }
         let own = self.list.get(zones[0]..=zones[1]).unwrap_or(&[]);
         let Some(whole) = own.iter().copied().reduce(|one, next| joined(&one, &next)) else {
-            return Ok(());
+            return;
         };
         // core's sorting can panic; each group goes to its place instead
-        let mut last = Group { whole, share, zones };
+        let mut last = Group { whole, share: F::zero(), zones };
         for group in groups.iter_mut() {
             if last.zones < group.zones {
                 mem::swap(&mut last, group);
             }
         }
-        groups.push(last).map_err(|_| Error::PatchSize)
+        let _ = groups.push(last);
     }
+}
+
+/// Adds a partition, or its probability to that of the same one.
+fn add_partition<F: Float>(list: &mut Vec<Partition<F>, PARTITIONS>, new: Partition<F>) {
+    match list.iter_mut().find(|own| own.joined == new.joined) {
+        Some(own) => own.probability += new.probability,
+        None => drop(list.push(new)),
+    }
+}
+
+/// Partitions in descending order of their probability.
+fn sorted<F: Float>(list: Vec<Partition<F>, PARTITIONS>) -> Vec<Partition<F>, PARTITIONS> {
+    let mut sorted: Vec<Partition<F>, PARTITIONS> = Vec::new();
+    for mut last in list {
+        for own in &mut sorted {
+            if last.probability > own.probability {
+                mem::swap(&mut last, own);
+            }
+        }
+        let _ = sorted.push(last);
+    }
+    sorted
 }
 
 fn free<F: Float>(zone: &Overlap<F>, next: &Overlap<F>) -> F {
@@ -201,6 +272,30 @@ impl<F: Float> Strong<'_, F> {
             let [near, other] = self.distances(k).map(|d| d.map(|d| d * self.factor(k)));
             [span, near, other].into_iter().flatten()
         })
+    }
+
+    /// The next bound of `T` after a length, at most the last.
+    fn next_bound(&self, length: F, last: F) -> F {
+        self.bounds().filter(|bound| *bound > length).fold(last, F::min)
+    }
+
+    /// The partition for a length `T` or a little more: see [`Partition::joined`].
+    fn joined(&self, length: F) -> u32 {
+        let next = 0..self.places.len().saturating_sub(1);
+        next.filter(|k| self.are_joined(*k, length)).fold(0, |joined, k| joined | 1 << k)
+    }
+
+    /// The least length `T`: it leaves no more than four groups.
+    fn shortest(&self) -> F {
+        let mut length = F::of(ONE_CONTACT);
+        while self.places.len().saturating_sub(self.joined(length).count_ones() as usize) > APART {
+            let next = self.next_bound(length, F::LARGEST);
+            if next == F::LARGEST {
+                break;
+            }
+            length = next;
+        }
+        length
     }
 
     /// Whether a zone and the next are in one group, for a length `T` or a little more.

@@ -3,7 +3,7 @@
 //!
 //! **Zones** are where the undeformed surfaces overlap. One curve, the smoothed distance of the
 //! surfaces, decides where zones are, how deep they are and what load they carry, so that a contact
-//! begins without load. Zones less than 4 mm apart are one contact and one normal problem
+//! begins without load. Zones less than 5 mm apart are one contact and one normal problem
 //! (`groups`).
 //!
 //! **Each strip has a direction of its own**: at angle `a` the tangent `t = (0, cos a, sin a)` and
@@ -67,7 +67,7 @@ pub struct WheelContact<F> {
     pub radius: F,
     /// Load of the strips \[N\].
     pub normal_force: F,
-    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 4 to 8
+    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 5 to 7
     /// mm apart, which count partly by themselves and partly as one contact.
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
@@ -347,7 +347,7 @@ impl<F: Float> WheelContact<F> {
 #[inline(never)]
 fn group_zones<F: Float, const N: usize>(
     curve: &SmoothedProfile<F, N>, groups: &mut Groups<F>,
-) -> Result<(), Error> {
+) -> bool {
     Overlaps::of_curve(curve, |own| own.value).group(groups)
 }
 
@@ -364,9 +364,7 @@ pub struct ContactCount {
 /// the normal problem of each.
 ///
 /// # Errors
-/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 2.3; [`Error::PatchSize`]
-/// for more than four separate contacts, or more than [`KSTRIP_CONTACTS_CAPACITY`] in all;
-/// [`Error::Capacity`]; those of `WheelPair::check` and of
+/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 2.3; [`Error::Capacity`]; those of `WheelPair::check` and of
 /// [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(
     gap: &Gap<F>, pair: &WheelPair<F>, position: &Position<F>, count: StripCount,
@@ -378,7 +376,9 @@ pub fn from_gap<F: Float>(
     with_cells(count, |cells| {
         let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
         let mut groups = Groups::new();
-        group_zones(&curve, &mut groups)?;
+        if !group_zones(&curve, &mut groups) {
+            found.warning = Warning::Rough;
+        }
         for group in &groups {
             curve.restrict(&group.whole);
             let approach = Dual::input(group.whole.depth, 0);

@@ -3,7 +3,7 @@
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::groups::{GROUPS, Group, Groups, ONE_CONTACT, Overlaps};
+use super::groups::{BLEND, Group, Groups, Overlaps};
 use super::moves::PointMoves;
 use super::view::View;
 use super::{WheelContact, group_zones};
@@ -68,7 +68,7 @@ impl<F: Float> Scene<'_, F> {
         let lengths = with_cells(count, |cells| {
             let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
             let mut groups = Groups::new();
-            group_zones(&curve, &mut groups)?;
+            group_zones(&curve, &mut groups);
             let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
             let length = |direction| view.length_of_step(&moves, direction, deepest, creepage);
             let lengths: [F; DIRECTIONS] = core::array::from_fn(length);
@@ -130,9 +130,9 @@ impl<F: Float> Steps<'_, F> {
         &self, profile: &Profile<F>, curve: &mut SmoothedProfile<F, TOGETHER>, groups: &[Group<F>],
         room: &mut Room<F>, columns: &mut [&mut [F; 6]],
     ) -> Result<(), Error> {
-        let mut rates = [[F::zero(); GROUPS]; TOGETHER];
+        let mut rates = [[F::zero(); KSTRIP_CONTACTS_CAPACITY]; TOGETHER];
         for (k, rates) in rates.iter_mut().enumerate() {
-            rates_of_shares(curve, groups, k, rates)?;
+            rates_of_shares(curve, groups, k, rates);
         }
         for (number, group) in groups.iter().enumerate() {
             curve.restrict(&group.whole);
@@ -246,30 +246,29 @@ fn keep_pressures<F: Float>(
 #[inline(never)]
 fn rates_of_shares<F: Float>(
     curve: &SmoothedProfile<F, TOGETHER>, groups: &[Group<F>], direction: usize,
-    rates: &mut [F; GROUPS],
-) -> Result<(), Error> {
+    rates: &mut [F; KSTRIP_CONTACTS_CAPACITY],
+) {
     if groups.iter().all(|group| group.share == F::one()) {
-        return Ok(());
+        return;
     }
     let deepest = groups.iter().fold(F::TINY, |most, group| most.max(group.whole.depth));
     let mut fastest = F::TINY;
     let rate = |own: Directed<F>| own.derivative(direction);
     curve.overlaps(rate, |zone| {
-        let [begin, end] = zone.ends.map(|end| end.abs().times(1.0 / ONE_CONTACT));
+        let [begin, end] = zone.ends.map(|end| end.abs().times(1.0 / BLEND));
         fastest = fastest.max(begin).max(end).max(zone.depth.times(DEEPER) / deepest);
     });
     let step = F::EPSILON.cube_root() / fastest;
     // f' = (4 f(h) − f(2 h) − 3 f(0))/(2 h)
     for (distance, weight) in [(step, F::of(2.0)), (step.times(2.0), F::of(-0.5))] {
         let mut moved = Groups::new();
-        Overlaps::of_curve(curve, |own| own.value + distance * rate(own)).group(&mut moved)?;
+        Overlaps::of_curve(curve, |own| own.value + distance * rate(own)).group(&mut moved);
         for (rate, group) in rates.iter_mut().zip(groups) {
             let moved = moved.iter().find(|moved| moved.zones == group.zones);
             let share = moved.map_or(F::zero(), |moved| moved.share);
             *rate += (share - group.share) * weight / step;
         }
     }
-    Ok(())
 }
 
 impl<'a, F: Float> View<'a, F> {

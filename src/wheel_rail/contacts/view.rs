@@ -22,7 +22,7 @@ const LOW: f64 = 1e-4;
 const FADES: f64 = 0.5;
 const REACH: f64 = 1e-3;
 /// Rise of the surfaces' distance over the points that are needed beyond, over the points' step.
-const MARGIN: f64 = 3.0;
+const MARGIN: f64 = 0.75;
 /// Upper bound of the angles of a gap \[rad\].
 const LARGEST_ANGLE: f64 = 2.3;
 

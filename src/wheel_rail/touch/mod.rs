@@ -25,6 +25,8 @@ use core::f64::consts::PI;
 pub(super) const DEFAULT_REACH: f64 = 2e-3;
 /// Number of points that are searched side by side.
 const FOUR: usize = 4;
+/// Distance from which the end of a rail under the wheel has no effect, over the reach.
+const MAY_COUNT: f64 = 0.75;
 /// How often the part of a wheel's profile in which a rail ends is divided by five.
 const PARTINGS: u32 = 22;
 
@@ -68,7 +70,7 @@ impl<F: Float> Above<'_, F> {
         &mut self, k: usize, is_former: bool, inside: Option<&GapPoint<F>>,
     ) -> Option<GapPoint<F>> {
         let [_, distance, ..] = inside?;
-        if *distance >= self.reach.times(0.5) {
+        if *distance >= self.reach.times(MAY_COUNT) {
             return None;
         }
         let (mut over, mut beyond) =
