@@ -3,7 +3,7 @@
 //! may be in quotation marks.
 
 use super::header::Header;
-use super::text::{Lines, Separator, Words, number, trimmed, without};
+use super::text::{Lines, Separator, Words, begins_as_number, number, trimmed, without};
 use crate::number::Float;
 use crate::status::Error;
 
@@ -85,18 +85,10 @@ fn bare(line: &[u8]) -> &[u8] {
     trimmed(line, b"[({", b"])};")
 }
 
-/// Whether a line begins as a row of numbers does.
-fn begins_as_row(line: &[u8]) -> bool {
-    match without(line, b"\"+-") {
-        [b'.' | b',', digit, ..] | [digit, ..] => digit.is_ascii_digit(),
-        [] => false,
-    }
-}
-
 /// Finds the separator and the decimal point from the rows of a sample.
 fn separator<F: Float>(text: &[u8]) -> (Separator, u8) {
     let rows = Lines::new(text).take(SAMPLE).map(bare);
-    let rows = rows.filter(|row| !is_comment(row) && begins_as_row(row));
+    let rows = rows.filter(|row| !is_comment(row) && begins_as_number(row));
     let count = |is: fn(&[u8]) -> bool| rows.clone().filter(|row| is(row)).count();
     let all = count(|_| true);
     let has_points = count(|row| row.contains(&b'.')) > 0;

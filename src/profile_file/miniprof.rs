@@ -3,11 +3,11 @@
 //! out. Drawings have segments `MPDn=L y z y z`. y = 0 of a wheel is at its flange back.
 
 use super::header::{Header, Kind};
-use super::text::{Lines, Separator, Words, number, pair, whole, without};
+use super::text::{Lines, Separator, Words, begins_as_number, number, pair, whole, without};
 use crate::number::Float;
 use crate::status::Error;
 
-/// Points after which lines of text are no titles any more.
+/// Points after which lines of text are no titles any more, but a footer.
 const ROWS: usize = 3;
 const KEYS: &str = "filename programname xypoints columndef mptypeno mpserno refpoint1 sectionno \
     transform";
@@ -65,7 +65,7 @@ pub(super) fn read_miniprof<F: Float>(
 
 fn find_layout<F: Float>(text: &[u8], header: &mut Header<F>) -> Result<Layout, Error> {
     let mut found = Layout { columns: [0, 1], first: 0, points: 0, marked: 0, promised: None };
-    let mut is_over = false;
+    let (mut is_over, mut has_footer) = (false, false);
     for (number_of_line, line) in Lines::new(text).enumerate().filter(|(_, line)| !line.is_empty())
     {
         let is_row = point_of_line::<F>(line, found.columns).is_some();
@@ -74,6 +74,7 @@ fn find_layout<F: Float>(text: &[u8], header: &mut Header<F>) -> Result<Layout, 
         } else if is_section(line) {
             is_over = found.points > 0;
         } else if is_row || segment::<F>(line)?.is_some() {
+            Error::FileLine.when(has_footer)?;
             if found.points == 0 {
                 found.first = number_of_line;
             }
@@ -85,11 +86,14 @@ fn find_layout<F: Float>(text: &[u8], header: &mut Header<F>) -> Result<Layout, 
         } else if line.first() == Some(&b'"') {
             found.marked += 1;
         } else if line.first().is_some_and(|byte| !b"#!%*/".contains(byte)) {
-            Error::FileLine.when(found.points >= ROWS)?;
-            (found.points, found.marked) = (0, 0);
+            has_footer = found.points >= ROWS;
+            Error::FileLine.when(has_footer && begins_as_number(line))?;
+            if !has_footer {
+                (found.points, found.marked) = (0, 0);
+            }
         }
     }
-    header.is_left_out |= found.marked > 0;
+    header.is_left_out |= found.marked > 0 || has_footer;
     // A file with more than one point less than it promises was cut.
     let promised = found.promised.map_or(found.points, |count| count.unsigned_abs() as usize);
     let all = found.points + found.marked;

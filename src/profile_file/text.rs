@@ -99,6 +99,14 @@ pub(super) fn trimmed<'a>(mut text: &'a [u8], before: &[u8], after: &[u8]) -> &'
     text
 }
 
+/// Whether a line begins with a number, which may be in quotation marks.
+pub(super) fn begins_as_number(line: &[u8]) -> bool {
+    match without(line, b"\"+-") {
+        [b'.' | b',', digit, ..] | [digit, ..] => digit.is_ascii_digit(),
+        [] => false,
+    }
+}
+
 /// A text up to the first of some characters.
 pub(super) fn up_to<'a>(text: &'a [u8], characters: &[u8]) -> &'a [u8] {
     text.split(|byte| characters.contains(byte)).next().unwrap_or(text).trim_ascii()

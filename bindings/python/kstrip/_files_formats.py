@@ -12,7 +12,7 @@ from typing import Any, Callable, Optional, Sequence
 
 import numpy as np
 
-from ._files_points import UNITS, Points, ProfileError, Wanted
+from ._files_points import UNITS, PlainLines, Points, ProfileError, Rows, Wanted
 from ._files_table import is_number, read_table
 
 _INCH = 0.0254
@@ -85,13 +85,19 @@ def _pair(found: Points, number: int, words: Sequence[str], columns: tuple[int, 
 def _simpack(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
     found = Points(path, "SIMPACK profile", has_convention=True)
     sections, keys = [""], {}
-    rows: list[tuple[float, float]] = []
-    where, weights = [], []
+    rows, plain = Rows(3), PlainLines(lines, change=lambda line: line.partition("!")[0])
     numeric = {"units.len.f", "units.ang.f", "shift.y", "shift.z", "rotate", "mirror.y", "mirror.z", "approx.smooth", "bound.y.min", "bound.y.max",
                "bound.z.min", "bound.z.max"}
     unused = []
-    for number, line in enumerate(lines, 1):
-        text = re.split(r"[!%]", line, maxsplit=1)[0].strip()
+    number = 0
+    while number < len(lines):
+        many = plain.from_line(number) if sections[-1] == "point" else None
+        if many is not None and many.shape[1] in (2, 3):
+            rows.add_many(many if many.shape[1] == 3 else np.column_stack((many, np.ones(len(many)))), number + 1)
+            number += len(many)
+            continue
+        number += 1
+        text = re.split(r"[!%]", lines[number - 1], maxsplit=1)[0].strip()
         if not text:
             continue
         if (mark := re.fullmatch(r"(\w+)\.(begin|end)", text)) is not None:
@@ -103,9 +109,8 @@ def _simpack(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
                 raise found.error(number, f"{mark[1]}.end without {mark[1]}.begin")
         elif sections[-1] == "point":
             words = text.split()
-            rows.append(_pair(found, number, words, (0, 1)))
-            weights.append(float(words[2].upper().replace("D", "E")) if len(words) > 2 and is_number(words[2]) else 1.0)
-            where.append(number)
+            weight = float(words[2].upper().replace("D", "E")) if len(words) > 2 and is_number(words[2]) else 1.0
+            rows.add((*_pair(found, number, words, (0, 1)), weight), number)
         elif (pair := re.fullmatch(r"([\w.]+)\s*=\s*(.*)", text)) is None:
             raise found.error(number, f"`keyword = value` is needed, not {text[:60]!r}")
         elif sections[-1] == "header" and pair[1] == "type":
@@ -122,9 +127,9 @@ def _simpack(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
     length, angle = keys.get("units.len.f", 1.0), keys.get("units.ang.f", 1.0)
     if not (0 < length < math.inf and 0 < angle < math.inf):
         raise found.error(None, "units.len.f and units.ang.f must be positive")
-    points = np.array(rows).reshape(-1, 2)
-    found.y, found.z, found.line = points[:, 0], points[:, 1], where
-    _simpack_points(found, keys, np.array(weights))
+    points, found.line = rows.arrays()
+    found.y, found.z = points[:, 0], points[:, 1]
+    _simpack_points(found, keys, points[:, 2])
     if keys.get("approx.smooth"):
         found.notes.append(f"approx.smooth = {keys['approx.smooth']:g} is not applied: prepare(smoothing_length=...) smooths")
     if unused:
@@ -163,12 +168,20 @@ def _miniprof(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
     """Files of MiniProf instruments: `Key=value` lines, [sections], or the title lines of old instruments, and then the points."""
     found = Points(path, "MiniProf profile", unit=1e-3, unit_source="MiniProf's", from_flange_back=True)
     header, columns, marked, section = {}, (0, 1), [0, 0], ""
-    profiles: dict[str, list[tuple[float, float, int]]] = {}
+    profiles: dict[str, Rows] = {}
     sections: dict[str, dict[str, str]] = {}
     segments: dict[str, list[tuple[str, list[float], int]]] = {}
     previous: Optional[int] = None
-    for number, line in enumerate(lines, 1):
-        text = line.strip()
+    footers: dict[str, tuple[int, str]] = {}
+    number, plain = 0, PlainLines(lines)
+    while number < len(lines):
+        many = plain.from_line(number) if previous is not None and section not in footers else None
+        if many is not None and many.shape[1] > max(columns):
+            profiles[section].add_many(many[:, columns], number + 1)
+            number += len(many)
+            continue
+        number += 1
+        text = lines[number - 1].strip()
         if not text:
             continue
         if (mark := re.fullmatch(r"\[([^\]]*)\]", text)) is not None:
@@ -196,23 +209,27 @@ def _miniprof(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
                     raise found.error(number, f"ColumnDef has no X and Y: {value[:60]}")
                 columns = names.index("X"), names.index("Y")
             continue
-        rows = profiles.setdefault(section, [])
+        rows = profiles.setdefault(section, Rows())
         if text.startswith('"'):
             # Before the first point it may be a title
-            marked[bool(rows)] += 1
+            marked[rows.count > 0] += 1
             continue
         words = _words(text)
         if len(words) >= 2 and all(is_number(word) for word in words):
-            rows.append((*_pair(found, number, words, columns), number))
+            if section in footers:
+                line, footer = footers[section]
+                raise found.error(line, f"numbers are needed, not {footer[:60]!r}")
+            rows.add(_pair(found, number, words, columns), number)
             previous = number
-        elif not rows or len(rows) < 3 and previous is not None:
+        elif rows.count < 3:
             # Title lines of old instruments: text, or numbers and text
-            profiles[section] = []
-        elif any(is_number(word) for word in words) or text.lower().startswith("nan"):
+            profiles[section] = Rows()
+        elif re.match(r"[+-]*[.,]?[0-9]", text):
             _pair(found, number, words, columns)
-        else:
             raise found.error(number, f"numbers are needed, not {text[:60]!r}")
-    return _miniprof_points(found, profiles, segments, sections, header, marked, len(lines))
+        else:
+            footers.setdefault(section, (number, text))
+    return _miniprof_points(found, profiles, segments, sections, header, marked, footers, len(lines))
 
 
 def _words(text: str) -> list[str]:
@@ -225,41 +242,44 @@ def _words(text: str) -> list[str]:
     return [word for word in re.split(r"[\s;,]+", text) if word]
 
 
-def _miniprof_points(found: Points, profiles: dict[str, list[tuple[float, float, int]]], segments: dict[str, list[tuple[str, list[float], int]]],
-                     sections: dict[str, dict[str, str]], header: dict[str, str], marked: list[int], end: int) -> Points:
+def _miniprof_points(found: Points, profiles: dict[str, Rows], segments: dict[str, list[tuple[str, list[float], int]]],
+                     sections: dict[str, dict[str, str]], header: dict[str, str], marked: list[int], footers: dict[str, tuple[int, str]],
+                     end: int) -> Points:
     for name, parts in segments.items():
-        if not profiles.get(name):
+        if name not in profiles or profiles[name].count == 0:
             profiles[name] = _segments(found, parts)
-    filled = {name: rows for name, rows in profiles.items() if rows}
+    filled = {name: rows for name, rows in profiles.items() if rows.count}
     section = next(iter(filled), "")
     if len(filled) > 1:
         found.warnings.append(f"this file has {len(filled)} profiles, of which that of [{section}] is read")
-    rows = filled.get(section, [])
+    points, found.line = filled.get(section, Rows()).arrays()
+    count = len(points)
     header = {**header, **sections.get(section, {})} if section else header
     found.from_flange_back = header.get("origin", "").lower() != "running circle"
     if marked[1]:
         found.notes.append(f'{marked[1]} points that the file marks by a leading " are left out')
-    promised, counts = header.get("xypoints", ""), {len(rows), len(rows) + marked[1], len(rows) + sum(marked)}
-    if promised.isdigit() and len(promised) < 10 and rows and int(promised) not in counts:
-        message = f"XYPoints promises {promised} points, and the file has {len(rows) + marked[1]}"
+    if section in footers:
+        found.notes.append(f"the lines from line {footers[section][0]} on, {footers[section][1][:40]!r}, stand after the points and are left out")
+    promised, counts = header.get("xypoints", ""), {count, count + marked[1], count + sum(marked)}
+    if promised.isdigit() and len(promised) < 10 and count and int(promised) not in counts:
+        message = f"XYPoints promises {promised} points, and the file has {count + marked[1]}"
         if max(counts) < int(promised) - 1:
             raise found.error(end, message)
         found.notes.append(message)
-    points = np.array([row[:2] for row in rows]).reshape(-1, 2)
-    found.y, found.z, found.line = points[:, 0], points[:, 1], [row[2] for row in rows]
+    found.y, found.z = points[:, 0], points[:, 1]
     return found
 
 
-def _segments(found: Points, parts: list[tuple[str, list[float], int]]) -> list[tuple[float, float, int]]:
+def _segments(found: Points, parts: list[tuple[str, list[float], int]]) -> Rows:
     """The points of a drawn profile: lines from one point to the next."""
-    rows: list[tuple[float, float, int]] = []
+    rows, end = Rows(), None
     for letter, numbers, line in parts:
         if letter != "L" or len(numbers) != 4:
             raise found.error(line, f"a segment {letter!r} with {len(numbers)} numbers cannot be read; lines are `L y z y z`")
-        first, second = (numbers[0], numbers[1], line), (numbers[2], numbers[3], line)
-        if not rows or rows[-1][:2] != first[:2]:
-            rows.append(first)
-        rows.append(second)
+        if numbers[:2] != end:
+            rows.add(numbers[:2], line)
+        end = numbers[2:]
+        rows.add(end, line)
     return rows
 
 
@@ -270,10 +290,16 @@ def _vampire(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
     """Both sides of a wheelset or a track in four columns; the right side is taken."""
     kind = "wheel" if lines and next(line for line in lines if line.strip()).strip().upper() == "WHEELPROFILE" else "rail"
     found = Points(path, "Vampire profile", unit=1e-3, unit_source="Vampire's", kind=kind, has_convention=True)
-    rows, where, keys = [], [], {}
-    title = 0
-    for number, line in enumerate(lines, 1):
-        text = re.split(r'["!%]', line, maxsplit=1)[0].strip()
+    rows, keys, plain = Rows(4), {}, PlainLines(lines)
+    title = number = 0
+    while number < len(lines):
+        many = plain.from_line(number) if rows.count else None
+        if many is not None and many.shape[1] == 4:
+            rows.add_many(many, number + 1)
+            number += len(many)
+            continue
+        number += 1
+        text = re.split(r'["!%]', lines[number - 1], maxsplit=1)[0].strip()
         words = text.replace(",", " ").split()
         if not text:
             continue
@@ -286,13 +312,12 @@ def _vampire(path: pathlib.Path, lines: list[str], wanted: Wanted) -> Points:
         elif all(is_number(word) for word in words):
             if len(words) != 4:
                 raise found.error(number, f"four numbers are needed, y and z of the left and of the right side, and this line has {len(words)}")
-            rows.append((*_pair(found, number, words, (0, 1)), *_pair(found, number, words, (2, 3))))
-            where.append(number)
+            rows.add((*_pair(found, number, words, (0, 1)), *_pair(found, number, words, (2, 3))), number)
         else:
             raise found.error(number, f"numbers are needed, not {text[:60]!r}")
-    points = np.array(rows).reshape(-1, 4)
-    found.y, found.z, found.line = points[:, 2], points[:, 3], where
-    if rows and not np.allclose(points[:, :2] * (-1, 1), points[:, 2:], atol=1e-6):
+    points, found.line = rows.arrays()
+    found.y, found.z = points[:, 2], points[:, 3]
+    if not np.allclose(points[:, :2] * (-1, 1), points[:, 2:], atol=1e-6):
         found.notes.append("left and right differ: the right side is read")
     return _vampire_origin(found, keys)
 
@@ -351,7 +376,7 @@ def _json(path: pathlib.Path, text: str) -> Optional[Points]:
                 lower["y"], lower["z"] = lower[f"y_{unit}"], lower[f"z_{unit}"]
                 found.unit, found.unit_source = UNITS[unit], "the names say so"
         value = list(zip(lower["y"], lower["z"])) if _are_lists(lower) else lower.get("points", lower.get("profile"))
-    if isinstance(value, list):
+    if isinstance(value, list) and any(isinstance(point, dict) for point in value):
         value = [(point.get("y"), point.get("z")) if isinstance(point, dict) else point for point in value]
     try:
         points = np.array(value, float)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import pathlib
-from typing import Any, Optional, Union
+from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 #: metres per unit
 UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
+#: Lines that are converted in one go, so that a long file needs little memory beside itself, and the fewest for which that pays.
+_MANY, _FEW = 32768, 1000
 
 
 class ProfileError(ValueError):
@@ -70,3 +72,57 @@ class Points:
 
     def line_of(self, point: int) -> Optional[int]:
         return None if self.line is None else int(self.line[point])
+
+
+class PlainLines:
+    """Lines of a file that numpy converts, many at once: in each the same number of plain numbers."""
+
+    def __init__(self, lines: list[str], separator: Optional[str] = None, change: Optional[Callable[[str], str]] = None):
+        self.lines, self.separator, self.change = lines, separator, change
+        self.next_try = 0
+
+    def from_line(self, first: int) -> Optional[Array]:
+        """The numbers of many lines from the index `first` on, shape (lines, columns); None if a line among them is none of numbers."""
+        if first < self.next_try or len(self.lines) - first < _FEW:
+            return None
+        lines = self.lines[first : first + _MANY]
+        self.next_try = first + len(lines)
+        if self.change is not None:
+            lines = [self.change(line) for line in lines]
+        if "D" in lines[0]:
+            lines = [line.replace("D", "E") for line in lines]
+        try:
+            found = np.loadtxt(lines, delimiter=self.separator, comments=None, ndmin=2)
+        except ValueError:
+            return None
+        return found if len(found) == len(lines) and np.isfinite(found).all() else None
+
+
+class Rows:
+    """Rows of numbers with their lines, one by one or many at once."""
+
+    def __init__(self, columns: int = 2) -> None:
+        self._parts: list[Array] = []
+        self._last: list[tuple[float, ...]] = []
+        self._columns = columns + 1
+        self.count = 0
+
+    def add(self, row: Sequence[float], line: int) -> None:
+        self._last.append((*row, line))
+        self.count += 1
+
+    def add_many(self, rows: Array, first_line: int) -> None:
+        self._part()
+        self._parts.append(np.column_stack((rows, first_line + np.arange(len(rows)))))
+        self.count += len(rows)
+
+    def _part(self) -> None:
+        if self._last:
+            self._parts.append(np.array(self._last))
+            self._last = []
+
+    def arrays(self) -> tuple[Array, Any]:
+        """The rows, shape (count, columns), and their lines."""
+        self._part()
+        found = np.concatenate((np.zeros((0, self._columns)), *self._parts))
+        return found[:, :-1], found[:, -1].astype(np.int_)

@@ -10,7 +10,7 @@ from typing import Optional, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._files_points import UNITS, Array, Points, ProfileError, Wanted
+from ._files_points import UNITS, Array, PlainLines, Points, ProfileError, Rows, Wanted
 
 Lines = NDArray[np.int_]
 _COMMENT = "#!%*/"
@@ -20,8 +20,6 @@ _COMMA_NUMBER = re.compile(r"[+-]?\d*,\d+([eEdD][+-]?\d+)?\Z|[+-]?\d+\Z", re.ASC
 _NO_NUMBER = ("", "nan", "na", "n/a", "#n/a", "null", "none", "-", "--", "nil", "inf", "+inf", "-inf")
 _BRACKETS = str.maketrans("", "", "[](){}")
 _NAMES = (("y", "z"), ("x", "z"), ("x", "y"), ("lateral", "vertical"), ("across", "down"))
-#: Rows that are converted in one go, so that a long file needs little memory beside itself.
-_CHUNK = 65536
 
 
 def is_number(word: str) -> bool:
@@ -216,47 +214,34 @@ class _Table:
 
     def _rows(self, start: int) -> tuple[Array, Array, Lines]:
         """The numbers of two columns from a line on, and their lines."""
-        ys, zs, where = [np.zeros(0)], [np.zeros(0)], [np.zeros(0, np.int_)]
+        rows, plain, index = Rows(), PlainLines(self.lines, self.separator, change=self._plain), start
         self.columns: Optional[tuple[int, int]] = None
         self.count, self.empty, self.footer = 0, 0, (0, "")
-        for first in range(start, len(self.lines), _CHUNK):
-            last = min(first + _CHUNK, len(self.lines))
-            y, z, number = self._plain_rows(first, last) or self._any_rows(first, last)
-            ys.append(y)
-            zs.append(z)
-            where.append(number)
+        while index < len(self.lines):
+            many = None if self.footer[0] else plain.from_line(index)
+            if many is not None and self.columns is None:
+                self.count = many.shape[1]
+                self.columns = self._columns(self.count, index + 1, self.words(self.lines[index]))
+            if many is not None and self.columns is not None and many.shape[1] == self.count:
+                rows.add_many(many[:, self.columns], index + 1)
+                index += len(many)
+                continue
+            index += 1
+            point = self._row(index, self.lines[index - 1])
+            if point is not None:
+                rows.add(point, index)
         if self.empty:
             self.found.notes.append(f"{self.empty} rows without numbers are left out")
         if self.footer[0]:
             self.found.notes.append(f"the lines from line {self.footer[0]} on, {self.footer[1][:40]!r}, stand after the columns and are left out")
-        return np.concatenate(ys), np.concatenate(zs), np.concatenate(where)
+        points, lines = rows.arrays()
+        return points[:, 0], points[:, 1], lines
 
-    def _plain_rows(self, first: int, last: int) -> Optional[tuple[Array, Array, Lines]]:
-        """Lines that numpy reads: the same number of plain numbers in each; None for anything else."""
-        if last - first < 1000 or self.has_quotes or self.footer[0] or self.missing:
-            return None
-        try:
-            values = np.loadtxt([self.number(line) for line in self.lines[first:last]], delimiter=self.separator, comments=None, ndmin=2)
-        except ValueError:
-            return None
-        if len(values) != last - first or not np.isfinite(values).all():
-            return None
-        if self.columns is None:
-            self.count = values.shape[1]
-            self.columns = self._columns(self.count, first + 1, self.words(self.lines[first]))
-        if values.shape[1] != self.count:
-            return None
-        return values[:, self.columns[0]].copy(), values[:, self.columns[1]].copy(), np.arange(first + 1, last + 1, dtype=np.int_)
-
-    def _any_rows(self, first: int, last: int) -> tuple[Array, Array, Lines]:
-        y, z, where = [], [], []
-        for index in range(first, last):
-            point = self._row(index + 1, self.lines[index])
-            if point is not None:
-                y.append(point[0])
-                z.append(point[1])
-                where.append(index + 1)
-        return np.array(y, float), np.array(z, float), np.array(where, np.int_)
+    def _plain(self, line: str) -> str:
+        """A line as numpy reads it: with decimal points, and without quotation marks if no cell has a decimal comma."""
+        if self.has_quotes and not (self.comma_is_point and self.separator == ","):
+            line = line.replace('"', "")
+        return self.number(line)
 
     def _row(self, number: int, line: str) -> Optional[tuple[float, float]]:
         """The point of a line; None for a line without one."""
