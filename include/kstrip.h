@@ -1605,6 +1605,10 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 #define KSTRIP_FORMAT_WHEEL 16
 /** May be added to a format: the file has the profile of a rail. */
 #define KSTRIP_FORMAT_RAIL 32
+/** May be added to a format: z points down, whatever the shape. */
+#define KSTRIP_FORMAT_Z_DOWN 64
+/** May be added to a format: the flange or the gauge side is at small y, whatever the shape. */
+#define KSTRIP_FORMAT_SIDE 128
 
 /** Note on a profile file: it is the profile of a wheel; without this note of a rail. */
 #define KSTRIP_NOTE_WHEEL 1
@@ -1632,16 +1636,18 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 #define KSTRIP_NOTE_UNIT_OF_WIDTH 2048
 /** Doubt about a profile file: it may be another kind, or header and shape differ. */
 #define KSTRIP_NOTE_DOUBT_KIND 4096
-/** Doubt about a profile file: the direction of z is weak, or against its format. */
+/** Doubt about a profile file: z may point up by the shape, or is turned against its format. */
 #define KSTRIP_NOTE_DOUBT_Z 8192
 /** Doubt about a profile file: the side is against its format, or a rail has several heads. */
 #define KSTRIP_NOTE_DOUBT_SIDE 16384
-/** Doubt about a profile file: the unit is taken as inches, by the width of the points. */
+/** Doubt about a profile file: the unit is taken as inches or mm, by the size of the points. */
 #define KSTRIP_NOTE_DOUBT_UNIT 32768
 /** Doubt about a profile file: y = 0 of a wheel is not its running circle. */
 #define KSTRIP_NOTE_DOUBT_ORIGIN 65536
 /** Doubt about a profile file: no line follows the points, or the first of several is read. */
 #define KSTRIP_NOTE_DOUBT_POINTS 131072
+/** Note on a profile file: its shape has no side, without a flange or of a symmetric head. */
+#define KSTRIP_NOTE_SYMMETRIC 262144
 
 /**
  * Reads the profile of a wheel or a rail from the text of a file, in metres and the right way
@@ -1656,7 +1662,8 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
  *
  * @param text, length    the text of the file and its number of bytes. It need not end with 0.
  * @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
- *                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL.
+ *                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and what is certain,
+ *                        KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
  * @param[out] y, z       arrays of capacity elements; receive the points [m].
  * @param capacity        number of elements of y and of z.
  * @param[out] count      receives the number of points.
@@ -1675,6 +1682,43 @@ kstrip_status kstrip_read_profile(const char *text,
                                   uint32_t capacity,
                                   uint32_t *count,
                                   uint32_t *notes);
+
+/**
+ * Turns profiles the right way round by their shape: points toward larger y, z down, the flange or
+ * the gauge side at small y.
+ *
+ * kstrip_read_profile() includes this; the function is for points from other sources. Kind, unit,
+ * side and direction of z are decided once, from all profiles together, such as the slices of a
+ * crossing or one wheel at several dates. docs/profile-files.md has the rules.
+ *
+ * @param y, z            the points of all profiles, one profile after the other, in their order
+ *                        along each profile.
+ * @param counts          number of the points of each profile, at least four.
+ * @param profile_count   number of profiles, at least one.
+ * @param format          a sum of KSTRIP_FORMAT_ constants. KSTRIP_FORMAT_ANY: nothing is known,
+ *                        the shape decides. KSTRIP_FORMAT_SIMPACK: the points should stand as that
+ *                        format has them. KSTRIP_FORMAT_MINIPROF: y = 0 of a wheel is its flange
+ *                        back. The constants that may be added to a format name what is certain.
+ * @param unit            metres per unit of y and z; 0: size and shape decide.
+ * @param[out] turned_y, turned_z  arrays of as many elements as y and z, which receive the points
+ *                        [m]; not y and z themselves.
+ * @param[out] taken_unit  receives the metres per unit that were taken; NULL: not needed.
+ * @param[out] notes      receives what was changed, a sum of KSTRIP_NOTE_; NULL: not needed.
+ * @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
+ *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY (2^32 points or more), KSTRIP_ERROR_PROFILE
+ *         (no profile, or fewer than four points), KSTRIP_ERROR_NOT_FINITE,
+ *         KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_UNITS.
+ */
+kstrip_status kstrip_orient_profiles(const double *y,
+                                     const double *z,
+                                     const uint32_t *counts,
+                                     uint32_t profile_count,
+                                     uint32_t format,
+                                     double unit,
+                                     double *turned_y,
+                                     double *turned_z,
+                                     double *taken_unit,
+                                     uint32_t *notes);
 
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward

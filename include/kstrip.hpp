@@ -1488,6 +1488,15 @@ status read_profile(std::string_view text, std::uint32_t format, T *y, T *z, std
     return KSTRIP_HPP_CALL(kstrip_read_profile, text.data(), detail::capacity(text.size()), format, y, z, room, &count, &notes);
 }
 
+/// The profiles of `counts` points stand one after the other in `y` and `z`. A `unit` of 0 is found. `format` is a sum of constants
+/// KSTRIP_FORMAT_; `notes` is a sum of KSTRIP_NOTE_.
+template <class T>
+status orient_profiles(const T *y, const T *z, const std::uint32_t *counts, std::uint32_t profile_count, std::uint32_t format,
+                       detail::only<T> unit, T *turned_y, T *turned_z, T &taken_unit, std::uint32_t &notes) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_orient_profiles, y, z, counts, profile_count, format, unit, turned_y, turned_z, &taken_unit, &notes);
+}
+
 /// Calls kstrip_profile_between().
 template <class T>
 status profile_between(const basic_surface<T> &first, const basic_surface<T> &second, detail::only<T> share, basic_surface<T> &to) noexcept
@@ -1669,6 +1678,23 @@ basic_profile_points<T> read_profile(const std::string &path, std::uint32_t form
     detail::check(read_profile(text, format, y.data(), z.data(), detail::capacity(y.size()), count, to.notes));
     for (std::uint32_t i = 0; i < count; i++)
         to.y.emplace_back(y[i]), to.z.emplace_back(z[i]);
+    return to;
+}
+
+/// The points of one profile the right way round, from arrays in metres in their order along the profile.
+template <class Lengths, class T = detail::precision_of<const Lengths>>
+basic_profile_points<T> orient_profiles(const Lengths &y, const Lengths &z, std::uint32_t format = KSTRIP_FORMAT_ANY)
+{
+    const lengths<T> across(y), down(z);
+    if (across.size() != down.size() || !detail::fits(across.size()))
+        detail::check(status::error_capacity);
+    const std::uint32_t count = detail::capacity(across.size());
+    std::vector<T> turned_y(count), turned_z(count);
+    T unit = 1;
+    basic_profile_points<T> to{};
+    detail::check(orient_profiles(across.data(), down.data(), &count, 1, format, unit, turned_y.data(), turned_z.data(), unit, to.notes));
+    for (std::uint32_t i = 0; i < count; i++)
+        to.y.emplace_back(turned_y[i]), to.z.emplace_back(turned_z[i]);
     return to;
 }
 

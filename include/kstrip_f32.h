@@ -574,6 +574,18 @@ kstrip_status kstrip_read_profile_f32(const char *text,
                                       uint32_t *count,
                                       uint32_t *notes);
 
+/** kstrip_orient_profiles() in single precision. */
+kstrip_status kstrip_orient_profiles_f32(const float *y,
+                                         const float *z,
+                                         const uint32_t *counts,
+                                         uint32_t profile_count,
+                                         uint32_t format,
+                                         float unit,
+                                         float *turned_y,
+                                         float *turned_z,
+                                         float *taken_unit,
+                                         uint32_t *notes);
+
 /**
  * A profile, prepared by kstrip_prepare_profile(): points at equal steps of its length, toward
  * larger y, and its direction. It holds plain numbers and may be copied.

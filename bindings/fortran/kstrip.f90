@@ -126,6 +126,8 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_format_columns = 3
    integer(c_int32_t), parameter :: kstrip_format_wheel = 16
    integer(c_int32_t), parameter :: kstrip_format_rail = 32
+   integer(c_int32_t), parameter :: kstrip_format_z_down = 64
+   integer(c_int32_t), parameter :: kstrip_format_side = 128
    integer(c_int32_t), parameter :: kstrip_note_wheel = 1
    integer(c_int32_t), parameter :: kstrip_note_simpack = 2
    integer(c_int32_t), parameter :: kstrip_note_miniprof = 4
@@ -144,6 +146,7 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_note_doubt_unit = 32768
    integer(c_int32_t), parameter :: kstrip_note_doubt_origin = 65536
    integer(c_int32_t), parameter :: kstrip_note_doubt_points = 131072
+   integer(c_int32_t), parameter :: kstrip_note_symmetric = 262144
    integer(c_int32_t), parameter :: kstrip_wheelset_freedoms = 10
    integer(c_int32_t), parameter :: kstrip_measured_fx = 1
    integer(c_int32_t), parameter :: kstrip_measured_fy = 2
@@ -943,6 +946,23 @@ module kstrip
          real(c_double), intent(inout) :: z(*)
          integer(c_int32_t), value :: capacity
          integer(c_int32_t), intent(inout) :: count
+         integer(c_int32_t), intent(inout), optional :: notes
+      end function
+
+      !> Turns profiles the right way round by their shape: points toward larger y, z down, the flange or the gauge side
+      !> at small y.
+      integer(c_int32_t) function kstrip_orient_profiles(y, z, counts, profile_count, format, unit, &
+         turned_y, turned_z, taken_unit, notes) bind(c)
+         import
+         real(c_double), intent(in) :: y(*)
+         real(c_double), intent(in) :: z(*)
+         integer(c_int32_t), intent(in) :: counts(*)
+         integer(c_int32_t), value :: profile_count
+         integer(c_int32_t), value :: format
+         real(c_double), value :: unit
+         real(c_double), intent(inout) :: turned_y(*)
+         real(c_double), intent(inout) :: turned_z(*)
+         real(c_double), intent(inout), optional :: taken_unit
          integer(c_int32_t), intent(inout), optional :: notes
       end function
 

@@ -1,6 +1,13 @@
-//! The contents of a file's header.
+//! The contents of a file's header, and the limits of its points.
 
 use crate::number::Float;
+
+/// Metres per mm.
+pub(super) const MILLIMETRE: f64 = 1e-3;
+/// Fewest points.
+pub(super) const FEWEST_POINTS: usize = 4;
+/// Largest coordinate \[units of the file\].
+pub(super) const LARGEST: f64 = 1e12;
 
 /// The kind of a profile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

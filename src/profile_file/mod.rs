@@ -16,27 +16,20 @@ mod shape;
 mod simpack;
 mod text;
 
-use self::header::{Header, Kind};
+use self::header::{FEWEST_POINTS, Header, Kind, LARGEST, MILLIMETRE};
 use self::notes::*;
+use self::orientation::{Series, warning_of_notes};
+pub use self::orientation::{Unit, orient_points, unit_of_points};
 use self::text::Lines;
 use crate::number::Float;
 use crate::status::{Error, Warning};
 use crate::wheel_rail::sine_cosine;
 
-/// Widest profile in metres and in inches, and in mm, of a file without a unit.
-const WIDEST_PROFILE: [f64; 3] = [0.6, 12.0, 2000.0];
-/// Metres per inch and per mm.
-const INCH: f64 = 0.0254;
-const MILLIMETRE: f64 = 1e-3;
 /// Points nearer to the one before are left out \[m\].
 const NEAREST_POINTS: f64 = 1e-9;
-/// Fewest points.
-const FEWEST_POINTS: usize = 4;
 /// How much farther from all others a number is that marks a missing one, and its least size.
 const FAR_NUMBER: f64 = 20.0;
 const MARK: f64 = 99.0;
-/// Largest coordinate \[units of the file\].
-const LARGEST: f64 = 1e12;
 /// A closed outline: the distance of its ends over its height, and its least height over its width.
 const CLOSED: f64 = 0.02;
 const TALL: f64 = 0.25;
@@ -115,44 +108,37 @@ impl Format {
 pub struct ProfileFile<'a, F> {
     text: &'a [u8],
     format: Format,
-    asked: Option<Kind>,
+    /// The format as the caller names it.
+    asked: u32,
     header: Header<F>,
-    /// Metres per unit.
-    unit: F,
-    count: usize,
-    notes: u32,
+    unit: Unit<F>,
+    count: u32,
 }
 
 impl<'a, F: Float> ProfileFile<'a, F> {
-    /// Examines a text. `format`: a constant KSTRIP_FORMAT_, to which the kind may be added.
+    /// Examines a text. `asked`: a constant KSTRIP_FORMAT_, to which others may be added.
     ///
     /// # Errors
     /// [`Error::FileFormat`], [`Error::FileLine`], [`Error::FileColumns`], [`Error::FileCount`],
     /// [`Error::FileUnits`], [`Error::FileMissing`]; [`Error::NotFinite`]; [`Error::Profile`] for
     /// fewer than four points; [`Error::Capacity`]; [`Error::Scatter`] for a closed outline.
-    pub fn open(text: &'a [u8], format: u32, capacity: usize) -> Result<Self, Error> {
+    pub fn open(text: &'a [u8], asked: u32, capacity: usize) -> Result<Self, Error> {
         Error::FileLine.when(text.contains(&0))?;
-        let asked = match format & !15 {
-            0 => None,
-            KSTRIP_FORMAT_WHEEL => Some(Kind::Wheel),
-            KSTRIP_FORMAT_RAIL => Some(Kind::Rail),
-            _ => return Err(Error::FileFormat),
-        };
-        let format = match format & 15 {
-            KSTRIP_FORMAT_ANY => Format::found_in(text),
+        Error::FileFormat.unless(is_known_format(asked))?;
+        let format = match asked & 15 {
             KSTRIP_FORMAT_SIMPACK => Format::Simpack,
             KSTRIP_FORMAT_MINIPROF => Format::MiniProf,
             KSTRIP_FORMAT_COLUMNS => Format::Columns,
-            _ => return Err(Error::FileFormat),
+            _ => Format::found_in(text),
         };
-        let header = Header::new();
-        let mut file = Self { text, format, asked, header, unit: F::one(), count: 0, notes: 0 };
+        let (header, unit) = (Header::new(), Unit::of_metres(F::one()));
+        let mut file = Self { text, format, asked, header, unit, count: 0 };
         let all = file.examine()?;
         let mut count = 0;
         file.places(&mut |_| count += 1);
         Error::Profile.when(count < FEWEST_POINTS)?;
         Error::Capacity.when(count > capacity)?;
-        file.count = count;
+        file.count = count as u32;
         file.header.is_left_out |= count < all;
         Ok(file)
     }
@@ -160,7 +146,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
     /// Number of the points.
     #[must_use]
     pub const fn point_count(&self) -> usize {
-        self.count
+        self.count as usize
     }
 
     /// Finds header and unit, and refuses points that are no profile. Returns their number.
@@ -191,27 +177,15 @@ impl<'a, F: Float> ProfileFile<'a, F> {
     /// Metres per unit, by the header or by the width of the points.
     fn find_unit(&mut self, width: F) -> Result<(), Error> {
         let Header { units_per_metre, units_per_radian, unit, .. } = self.header;
-        let [metres, inches, millimetres] = WIDEST_PROFILE.map(F::of);
         self.unit = match (self.format, unit) {
             (Format::Simpack, _) => {
                 let is_positive = units_per_metre > F::zero() && units_per_radian > F::zero();
                 Error::FileUnits.unless(is_positive)?;
-                F::one() / units_per_metre
+                Unit::of_metres(F::one() / units_per_metre)
             }
-            (Format::MiniProf, _) => F::of(MILLIMETRE),
-            (Format::Columns, Some(unit)) => F::of(unit),
-            (Format::Columns, None) => {
-                Error::FileUnits.when(width > millimetres)?;
-                self.notes |= KSTRIP_NOTE_UNIT_OF_WIDTH;
-                if width <= metres {
-                    F::one()
-                } else if width <= inches {
-                    self.notes |= KSTRIP_NOTE_DOUBT_UNIT;
-                    F::of(INCH)
-                } else {
-                    F::of(MILLIMETRE)
-                }
-            }
+            (Format::MiniProf, _) => Unit::of_metres(F::of(MILLIMETRE)),
+            (Format::Columns, Some(unit)) => Unit::of_metres(F::of(unit)),
+            (Format::Columns, None) => Unit::of_width(width)?,
         };
         Ok(())
     }
@@ -224,7 +198,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
         let mut last = None;
         // The same text had no error before.
         let _ = self.format.read(self.text, &mut Header::new(), &mut |[y, z]: [F; 2]| {
-            let [y, z] = [(y + shift[0]) * self.unit, (z + shift[1]) * self.unit];
+            let [y, z] = [(y + shift[0]) * self.unit.metres, (z + shift[1]) * self.unit.metres];
             let point = [y_sign * (cosine * y - sine * z), z_sign * (sine * y + cosine * z)];
             if last.is_none_or(|last| distance_of_points(last, point) > F::of(NEAREST_POINTS)) {
                 place(point);
@@ -235,16 +209,38 @@ impl<'a, F: Float> ProfileFile<'a, F> {
 
     /// Writes [`ProfileFile::point_count`] points, the right way round. Returns the notes, and a
     /// warning if there is a doubt.
-    pub fn read(&self, y: &mut [F], z: &mut [F]) -> (u32, Warning) {
+    pub fn read(mut self, y: &mut [F], z: &mut [F]) -> (u32, Warning) {
         let mut written = y.iter_mut().zip(z.iter_mut());
         self.places(&mut |point| {
             if let Some((y, z)) = written.next() {
                 [*y, *z] = point;
             }
         });
-        let notes = self.notes() | self.orient(y, z);
-        let is_doubtful = notes & DOUBTS != 0;
-        (notes, if is_doubtful { Warning::ProfileGuess } else { Warning::None })
+        let mut notes = self.notes();
+        let known = self.known(&mut notes);
+        notes |= Series { y, z, counts: &[self.count] }.turn(known, &mut self.unit);
+        (notes, warning_of_notes(notes))
+    }
+
+    /// What is known of the points without their shape, as a format; and a doubt about the kind.
+    fn known(&self, notes: &mut u32) -> u32 {
+        let asked = self.asked & !15;
+        let format = match self.format {
+            Format::Simpack => KSTRIP_FORMAT_SIMPACK,
+            Format::MiniProf if self.header.is_from_flange_back => KSTRIP_FORMAT_MINIPROF,
+            Format::MiniProf | Format::Columns => KSTRIP_FORMAT_COLUMNS,
+        };
+        let kind = match self.header.kind {
+            None => return asked | format,
+            Some(Kind::Wheel) => KSTRIP_FORMAT_WHEEL,
+            Some(Kind::Rail) => KSTRIP_FORMAT_RAIL,
+        };
+        let asked_kind = asked & (KSTRIP_FORMAT_WHEEL | KSTRIP_FORMAT_RAIL);
+        if asked_kind == 0 || asked_kind == kind {
+            return asked | kind | format;
+        }
+        *notes |= KSTRIP_NOTE_DOUBT_KIND;
+        without_convention(asked | format)
     }
 
     fn notes(&self) -> u32 {
@@ -260,7 +256,7 @@ impl<'a, F: Float> ProfileFile<'a, F> {
             (header.has_other_count, KSTRIP_NOTE_COUNT),
             (header.has_several, KSTRIP_NOTE_DOUBT_POINTS),
         ];
-        bits.iter().filter(|(holds, _)| *holds).fold(self.notes, |notes, (_, bit)| notes | bit)
+        bits.iter().filter(|(holds, _)| *holds).fold(0, |notes, (_, bit)| notes | bit)
     }
 }
 

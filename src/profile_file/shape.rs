@@ -21,6 +21,14 @@ const MOST_USED: usize = 500;
 const MOST_FLATS: usize = 64;
 /// Least depth of the sides of a rail's head \[m\]. A groove for a ball is less deep.
 const LEAST_SIDE: f64 = 8e-3;
+/// Depth of a flange below its tread, length of the top of a rail's head \[m\]; width of a rail and
+/// least depth of its sides over that length.
+const FLANGE_DEPTH: [f64; 2] = [0.018, 0.045];
+const HEAD_LENGTH: [f64; 2] = [0.032, 0.080];
+const WIDEST_RAIL: f64 = 1.7;
+const LEAST_SIDE_SHARE: f64 = 0.2;
+/// Strength of evidence that is clear.
+const CLEAR: f64 = 1.0 - 1e-6;
 /// The size of a profile over the length with which it is smoothed.
 const SMOOTHING: f64 = 1.0 / 40.0;
 
@@ -36,6 +44,11 @@ impl<F: Float> Evidence<F> {
         Self { value, weight }
     }
 
+    fn add(&mut self, other: Self) {
+        self.value += other.value;
+        self.weight += other.weight;
+    }
+
     pub(super) fn is_no(&self) -> bool {
         self.value < F::zero()
     }
@@ -46,21 +59,67 @@ impl<F: Float> Evidence<F> {
     }
 }
 
-/// What the shape of a profile says.
+/// What the shapes of one profile or of several say.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Shape<F> {
     pub(super) is_wheel: Evidence<F>,
     /// Of a wheel and of a rail: z points down.
     pub(super) wheel_down: Evidence<F>,
     pub(super) rail_down: Evidence<F>,
-    /// The flange is at small y.
-    pub(super) flange_left: Evidence<F>,
+    /// The flange is at small y, of the wheel as it stands and upside down.
+    pub(super) flange_left: [Evidence<F>; 2],
     /// The gauge side is at small y, of the rail as it stands and upside down.
     pub(super) gauge_left: [Evidence<F>; 2],
     /// Number of heads as it stands and upside down.
     pub(super) heads: [usize; 2],
     /// A head upside down has sides as deep as those of a rail.
     pub(super) has_deep_head_turned: bool,
+    /// Beside the longest flat part the profile is not the same on both sides, or it has a tip.
+    pub(super) has_flange: bool,
+    /// Length of the longest flat part, and the depth of its sides.
+    pub(super) longest: F,
+    depth: F,
+    /// No line follows the points.
+    pub(super) is_scattered: bool,
+}
+
+impl<F: Float> Shape<F> {
+    /// Adds what the shape of another profile says.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.is_wheel.add(other.is_wheel);
+        self.wheel_down.add(other.wheel_down);
+        self.rail_down.add(other.rail_down);
+        let all = self.flange_left.iter_mut().chain(&mut self.gauge_left);
+        for (sum, side) in all.zip(other.flange_left.iter().chain(&other.gauge_left)) {
+            sum.add(*side);
+        }
+        for (most, heads) in self.heads.iter_mut().zip(other.heads) {
+            *most = heads.max(*most);
+        }
+        self.has_deep_head_turned |= other.has_deep_head_turned;
+        self.has_flange |= other.has_flange;
+        self.is_scattered |= other.is_scattered;
+        if other.longest > self.longest {
+            (self.longest, self.depth) = (other.longest, other.depth);
+        }
+    }
+
+    pub(super) fn is_clear_wheel(&self) -> bool {
+        !self.is_wheel.is_no() && self.is_wheel.is_at_least(CLEAR)
+    }
+
+    /// Whether a profile has the size of a wheel or of a rail's head if its points, `width` wide,
+    /// are inches, so much larger than it stands.
+    pub(super) fn is_in_inches(&self, width: F, factor: F) -> bool {
+        let is_within = |x: F, [least, most]: [f64; 2]| x > F::of(least) && x < F::of(most);
+        if self.is_clear_wheel() {
+            return is_within(self.depth * factor, FLANGE_DEPTH);
+        }
+        let is_head = self.heads != [0, 0] && width < self.longest.times(WIDEST_RAIL);
+        is_head
+            && is_within(self.longest * factor, HEAD_LENGTH)
+            && self.depth > self.longest.times(LEAST_SIDE_SHARE)
+    }
 }
 
 /// How a profile goes on beside a flat part.
@@ -81,6 +140,14 @@ struct Flat<F> {
     last: usize,
     length: F,
     sides: [Flank<F>; 2],
+}
+
+impl<F: Float> Flat<F> {
+    /// Both sides are the same, without a flange.
+    fn is_of_roller(&self) -> bool {
+        let [left, right] = self.sides;
+        (left.sign - right.sign).abs() <= F::zero() && !left.has_tip && !right.has_tip
+    }
 }
 
 type Flats<F> = heapless::Vec<Flat<F>, MOST_FLATS>;
@@ -105,9 +172,13 @@ pub(super) fn width_of<F: Float>(list: &[F]) -> F {
 struct Examined<F>(PreparedProfile<F>);
 
 impl<F: Float> Shape<F> {
-    /// The evidence of the points \[m\] of a profile, in their order, either way along y; none if
-    /// no line follows the points.
-    pub(super) fn of_points(y: &[F], z: &[F]) -> Option<Self> {
+    /// The evidence of the points \[m\] of a profile, in their order, either way along y.
+    pub(super) fn of_points(y: &[F], z: &[F]) -> Self {
+        Self::of_prepared(y, z).unwrap_or(Self { is_scattered: true, ..Self::default() })
+    }
+
+    /// The same; none if no line follows the points.
+    fn of_prepared(y: &[F], z: &[F]) -> Option<Self> {
         let every = 1 + y.len() / MOST_USED;
         let mut thinned = [[F::zero(); MOST_USED]; 2];
         let count = y.len().div_ceil(every).min(MOST_USED);
@@ -144,18 +215,20 @@ impl<F: Float> Examined<F> {
         let flats = self.flats();
         let main = flats.iter().copied().reduce(|a, b| if b.length > a.length { b } else { a });
         let Some(main) = main else { return Shape::default() };
-        let wheel_down = self.wheel_down(&main);
-        let is_down = !wheel_down.is_no();
         let [stands, turned] = [1.0, -1.0].map(|sign| self.gauge_left(&flats, F::of(sign)));
         let mut sides_turned = heads(&flats, -F::one()).flat_map(|head| head.sides);
         Shape {
             is_wheel: self.is_wheel(&main, &flats),
-            wheel_down,
+            wheel_down: self.wheel_down(&main),
             rail_down: self.rail_down(&flats),
-            flange_left: flange_left(&main, if is_down { F::one() } else { -F::one() }),
+            flange_left: [1.0, -1.0].map(|sign| flange_left(&main, F::of(sign))),
             gauge_left: [stands.0, turned.0],
             heads: [stands.1, turned.1],
             has_deep_head_turned: sides_turned.any(|side| side.depth >= F::of(LEAST_SIDE)),
+            has_flange: !main.is_of_roller(),
+            longest: main.length,
+            depth: main.sides[0].depth.max(main.sides[1].depth),
+            is_scattered: false,
         }
     }
 
@@ -234,8 +307,7 @@ impl<F: Float> Examined<F> {
 
     fn wheel_down(&self, tread: &Flat<F>) -> Evidence<F> {
         let [left, right] = tread.sides;
-        let same = (left.sign - right.sign).abs() <= F::zero();
-        if same && !left.has_tip && !right.has_tip {
+        if tread.is_of_roller() {
             // No flange: the edges of a roller are up, and between them it is crowned.
             if left.sign.abs() > F::zero() {
                 let depth = left.depth.min(right.depth);

@@ -7,7 +7,8 @@ const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
 
 /// Pointers by these names are arrays; other pointers are one object.
 const ARRAYS: &str = "x y z contacts distance points strips \
-    text coefficients weight shifts differences amplitudes conicities wave_lengths";
+    text counts turned_y turned_z \
+    coefficients weight shifts differences amplitudes conicities wave_lengths";
 
 const HEAD: &str = "\
 ! kstrip from Fortran 2018: creep forces of rolling contact by Kalker's strip theory.

@@ -114,6 +114,18 @@ int main()
     fine(kstrip::profile_between(rail, wheel, 0.5, written), "profile_between");
     const auto between = kstrip::profile_between(rail, wheel, 0.5);
     expect(same(written.y, between.y) && same(written.z, between.z) && written.count == between.count, "profile_between: both forms");
+    std::vector<double> up(rz), turned_y(ry.size()), turned_z(ry.size());
+    for (double &height : up)
+        height *= -20;
+    const auto oriented = kstrip::orient_profiles(ry, up, KSTRIP_FORMAT_RAIL);
+    const std::uint32_t point_count = static_cast<std::uint32_t>(ry.size());
+    double metres_per_unit = 0;
+    std::uint32_t changed = 0;
+    fine(kstrip::orient_profiles(ry.data(), up.data(), &point_count, 1, KSTRIP_FORMAT_RAIL, 1, turned_y.data(), turned_z.data(), metres_per_unit, changed),
+         "orient_profiles");
+    expect(metres_per_unit == 1 && turned_z.front() == -up.front() && oriented.z.front().value == turned_z.front() && oriented.y.back().value == ry.back() &&
+               changed == oriented.notes && (changed & KSTRIP_NOTE_Z_TURNED) != 0,
+           "orient_profiles: both forms");
     const std::string text = "0 0\n10 1\n20 4\n30 9\n40 16\n50 25\n";
     double point_y[8], point_z[8];
     std::uint32_t points_read = 0, notes = 0;

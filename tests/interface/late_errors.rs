@@ -226,15 +226,16 @@ const LATE: [&str; 13] = [
 ];
 
 /// Functions whose result cannot fail once their arguments are valid: they copy numbers,
-/// interpolate in a table, combine two numbers that stay in their range, or examine a whole text
-/// before they write.
-const SURE: [&str; 6] = [
+/// interpolate in a table, combine two numbers that stay in their range, or examine a whole text or
+/// all points before they write.
+const SURE: [&str; 7] = [
     "kstrip_options_init",
     "kstrip_result_on_upper_body",
     "kstrip_linear_coefficients",
     "kstrip_material_combine",
     "kstrip_gauge_face",
     "kstrip_read_profile",
+    "kstrip_orient_profiles",
 ];
 
 #[test]

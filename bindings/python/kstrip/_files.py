@@ -13,13 +13,12 @@ from numpy.typing import ArrayLike, DTypeLike
 
 from ._files_formats import kind_of_extension, read_points
 from ._files_points import UNITS, Array, Points, ProfileError, ProfileWarning, Wanted
-from ._files_shape import DECISIVE, DEEP, WEAK, Evidence, Shape, shape_of
 from ._files_table import as_missing
 from ._group import Group
+from ._library import constants, lib
+from ._status import text_of
 from ._wheel import PreparedProfile, prepare_profile
 
-#: Distance of the running circle from the flange back [m].
-_FLANGE_BACK = 0.070
 Path = Union[str, "os.PathLike[str]"]
 
 
@@ -59,7 +58,7 @@ def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, fl
     contradicts it, the shape of the tread or of the head decides. `notes` list findings and changes.
 
     kind: "wheel" or "rail"; None: as header, extension or shape say.
-    units: of the file: "mm", "m", "cm", "in" or metres per unit; None: as header or size say.
+    units: of the file: "mm", "m", "cm", "in" or metres per unit; None: as header, size or shape say.
     mirror_y, mirror_z: whether to change the signs of the file's y and z; None: as convention or shape say. The gauge side of a rail is the
         one farther from its top; of a symmetric rail y stays as it is.
     shift: added at the end [m, m]. y = 0 of a wheel is its running circle, z = 0 the height of its nominal radius.
@@ -111,8 +110,8 @@ def oriented(y: ArrayLike, z: ArrayLike, *, kind: Optional[str] = None, mirror_y
     As read_profile() of a table. `notes` lists what was changed.
 
     >>> y = np.linspace(-0.03, 0.03, 61)
-    >>> kstrip.oriented(y, -(y**2) / 0.6, kind="rail").z.max().round(5)
-    np.float64(0.0015)
+    >>> kstrip.oriented(y, -(y**2) / 0.06, kind="rail").z.max().round(5)
+    np.float64(0.015)
     """
     _wanted(kind, None, None, 0, None, None)
     across, down = np.array(y, float), np.array(z, float)
@@ -165,66 +164,100 @@ def _check(found: Points) -> None:
 def _profiles(series: list[Points], kind: Optional[str], units: Union[str, float, None], mirror_y: Optional[bool], mirror_z: Optional[bool],
               shift: Sequence[float], depth: int) -> list[Profile]:
     """Profiles of a series of files; units, kind and direction are decided once. Warnings are those of the caller at a depth."""
-    width = max((float(max(np.ptp(found.y), np.ptp(found.z))) for found in series), default=0.0)
-    placed = []
+    by_shape = _unit_by_shape(series, units)
+    points, told = [], []
     for found in series:
         notes = [f"{found.format}, {found.y.size} points", *found.notes]
-        unit = _unit(units, found, width, notes)
+        unit = _unit(units, found, by_shape, notes)
         y, z = _of_header(found, found.y * unit, found.z * unit, notes)
         y, z = _head_of_outline(found, kind, y, z, notes)
-        placed.append((found, y, z, notes))
-    shapes = [shape_of(y, z) for _, y, z, _ in placed]
-    if not shapes:
+        keep = np.concatenate(([True], np.hypot(np.diff(y), np.diff(z)) > 1e-9))
+        if np.count_nonzero(keep) < 4:
+            raise found.error(None, f"a profile needs 4 points, and this file has {np.count_nonzero(keep)} at different places")
+        if not keep.all():
+            notes.append(f"{np.count_nonzero(~keep)} points that coincide with the one before them are left out")
+        points.append((y[keep], z[keep]))
+        told.append((notes, list(found.warnings)))
+    if not series:
         return []
-    shape = shapes[0]
-    for other in shapes[1:]:
-        shape = shape + other
+    kinds = [_kind(kind, found, *lists) for found, lists in zip(series, told)]
+    common = kinds[0][0] if len({kind for kind, _ in kinds}) == 1 else None
+    has_convention = all(holds for _, holds in kinds)
+    asked = _Asked(common, has_convention, mirror_y, mirror_z, (float(shift[0]), float(shift[1])), len(series) > 1)
+    mirrored = [(-y if mirror_y else y, -z if mirror_z else z) for y, z in points]
+    turned, bits, _ = _orient(series, mirrored, asked.format(all(found.from_flange_back for found in series)))
     made = []
-    for found, y, z, notes in placed:
-        doubts = list(found.warnings)
-        made.append(_profile(found, y, z, notes, doubts, shape, len(series) > 1, kind, mirror_y, mirror_z, shift))
+    for found, before, after, (notes, doubts) in zip(series, points, turned, told):
+        _tell(asked, bits, before, after, notes, doubts)
+        y, z = after[0] + asked.shift[0], after[1] + asked.shift[1]
+        if any(shift):
+            notes.append(f"moved by {1e3 * shift[0]:g} mm in y and {1e3 * shift[1]:g} mm in z, as asked")
+        notes.extend(doubt for doubt in doubts if doubt not in notes)
+        made.append(Profile(y, z, "wheel" if bits & _bit("WHEEL") else "rail", found.path.name, tuple(notes), str(found.path)))
         for doubt in doubts:
             warnings.warn(f"{found.path}: {doubt}", ProfileWarning, stacklevel=depth)
     return made
 
 
-def _profile(found: Points, y: Array, z: Array, notes: list[str], doubts: list[str], shape: Shape, is_series: bool, kind: Optional[str],
-             mirror_y: Optional[bool], mirror_z: Optional[bool], shift: Sequence[float]) -> Profile:
-    kind, has_convention = _kind(kind, found, shape, notes, doubts)
-    y, z = _turned(kind, has_convention, shape, mirror_y, mirror_z, y, z, notes, doubts)
-    if is_series:
-        notes.append("kind, side and direction of z are those of the series")
-    if kind == "wheel":
-        y, z = _at_running_circle(found, any(shift), y, z, notes, doubts)
-    if not shape.is_line:
-        doubts.append("no line follows the points: they scatter, turn back or belong to two profiles")
-    keep = np.concatenate(([True], np.hypot(np.diff(y), np.diff(z)) > 1e-9))
-    if np.count_nonzero(keep) < 4:
-        raise found.error(None, f"a profile needs 4 points, and this file has {np.count_nonzero(keep)} at different places")
-    if not keep.all():
-        notes.append(f"{np.count_nonzero(~keep)} points that coincide with the one before them are left out")
-    y, z = y[keep] + float(shift[0]), z[keep] + float(shift[1])
-    if any(shift):
-        notes.append(f"moved by {1e3 * shift[0]:g} mm in y and {1e3 * shift[1]:g} mm in z, as asked")
-    notes.extend(doubt for doubt in doubts if doubt not in notes)
-    return Profile(np.ascontiguousarray(y), np.ascontiguousarray(z), kind, found.path.name, tuple(notes), str(found.path))
+@dataclasses.dataclass(frozen=True)
+class _Asked:
+    """What is known of points without their shape."""
+
+    kind: Optional[str]
+    has_convention: bool
+    mirror_y: Optional[bool]
+    mirror_z: Optional[bool]
+    shift: tuple[float, float]
+    is_series: bool
+
+    def format(self, from_flange_back: bool) -> int:
+        """The same as a format of kstrip_orient_profiles()."""
+        names = ["SIMPACK" if self.has_convention else "MINIPROF" if from_flange_back else "ANY"]
+        names += [] if self.kind is None else [self.kind.upper()]
+        names += ["Z_DOWN"] * (self.mirror_z is not None) + ["SIDE"] * (self.mirror_y is not None)
+        return sum(constants[f"KSTRIP_FORMAT_{name}"] for name in names)
 
 
-def _unit(asked: Union[str, float, None], found: Points, width: float, notes: list[str]) -> float:
+def _bit(name: str) -> int:
+    return constants[f"KSTRIP_NOTE_{name}"]
+
+
+def _orient(series: list[Points], points: list[tuple[Array, Array]], form: int, unit: float = 1.0) -> tuple[list[tuple[Array, Array]], int, float]:
+    """The points of profiles the right way round, notes, and the unit, which is found if it is 0."""
+    counts = np.array([y.size for y, _ in points], np.uint32)
+    y, z = (np.concatenate([pair[k] for pair in points]) for k in (0, 1))
+    turned = np.zeros((2, y.size))
+    units, notes = np.zeros(1), np.zeros(1, np.uint32)
+    status = lib.kstrip_orient_profiles(y.ctypes.data, z.ctypes.data, counts.ctypes.data, counts.size, form, unit, turned[0].ctypes.data,
+                                        turned[1].ctypes.data, units.ctypes.data, notes.ctypes.data)
+    if status < 0:
+        raise series[0].error(None, f"{text_of(status)}; units= says what the numbers are")
+    return list(zip(*(np.split(row, np.cumsum(counts)[:-1]) for row in turned))), int(notes[0]), float(units[0])
+
+
+def _unit_by_shape(series: list[Points], units: Union[str, float, None]) -> tuple[float, float, bool]:
+    """Metres per unit of the files that name none, from size and shape of all of them; their width, and whether that is a doubt."""
+    unknown = [found for found in series if units is None and found.unit is None]
+    if not unknown:
+        return 1.0, 0.0, False
+    width = float(max(max(np.ptp(found.y), np.ptp(found.z)) for found in unknown))
+    _, notes, unit = _orient(unknown, [(found.y, found.z) for found in unknown], constants["KSTRIP_FORMAT_ANY"], 0.0)
+    return unit, width, bool(notes & _bit("DOUBT_UNIT"))
+
+
+def _unit(asked: Union[str, float, None], found: Points, by_shape: tuple[float, float, bool], notes: list[str]) -> float:
     """Metres per unit."""
+    unit, width, is_doubtful = by_shape
+    source = f"by the width of {width:g}"
     if asked is not None:
-        unit, source = UNITS[asked] if isinstance(asked, str) else float(asked), "as asked"
+        unit, source, is_doubtful = UNITS[asked] if isinstance(asked, str) else float(asked), "as asked", False
     elif found.unit is not None:
-        unit, source = found.unit, found.unit_source
-    else:
-        # Profiles are 30 to 250 mm wide: 0.03 to 0.25 m, 1.2 to 10 in
-        unit, source = next((UNITS[name] for name, most in (("m", 0.6), ("in", 12.0)) if width <= most), 1e-3), f"by the width of {width:g}"
-        if width > 2000.0:
-            raise found.error(None, f"the profile is {width:g} units wide: units= says what they are")
+        unit, source, is_doubtful = found.unit, found.unit_source, False
     name = next((name for name, factor in UNITS.items() if np.isclose(factor, unit, rtol=1e-12)), f"{unit:g} m")
     notes.append(f"units: {name}, {source}")
-    if asked is None and found.unit is None and name == "in":
-        found.warnings.append(f"the units are taken as inches, by the width of {width:g}; units= says what they are")
+    if is_doubtful:
+        taken = "inches" if name == "in" else name
+        found.warnings.append(f"the units are taken as {taken}, by the width of {width:g} and the shape; units= says what they are")
     return unit
 
 
@@ -266,111 +299,79 @@ def _head_of_outline(found: Points, kind: Optional[str], y: Array, z: Array, not
     return y[left : right + 1], z[left : right + 1]
 
 
-def _kind(asked: Optional[str], found: Points, shape: Shape, notes: list[str], doubts: list[str]) -> tuple[str, bool]:
-    """Wheel or rail, and whether the convention of the format holds for it."""
+def _kind(asked: Optional[str], found: Points, notes: list[str], doubts: list[str]) -> tuple[Optional[str], bool]:
+    """Wheel or rail, None if the shape decides, and whether the convention of the format holds for it."""
     extension = found.path.suffix.lower()
     by_extension = kind_of_extension(extension)
+    said = found.kind or by_extension
     if asked is not None:
-        said = found.kind or by_extension
         if said not in (None, asked):
             doubts.append(f"{asked}, as asked, but the file is that of a {said}: the shape says how it stands")
         notes.append(f"{asked}, as asked")
         return asked, found.has_convention and said in (None, asked)
     if found.kind is not None and by_extension not in (None, found.kind):
-        kind = "wheel" if shape.is_wheel.value > 0 else "rail"
-        doubts.append(f"the header says {found.kind} and the extension {by_extension}: {kind}, by its shape; kind= says which")
-        return kind, False
-    if found.kind is not None or by_extension is not None:
-        kind = found.kind or by_extension or "rail"
-        notes.append(f"{kind}, {found.kind_source if found.kind else f'by its extension {extension}'}")
-        return kind, found.has_convention
-    kind = "wheel" if shape.is_wheel.value > 0 else "rail"
-    notes.append(f"{kind}, by its shape")
-    if shape.is_wheel.strength < WEAK:
+        doubts.append(f"the header says {found.kind} and the extension {by_extension}: its shape decides; kind= says which")
+        return None, False
+    if said is not None:
+        notes.append(f"{said}, {found.kind_source if found.kind else f'by its extension {extension}'}")
+    return said, found.has_convention
+
+
+def _tell(asked: _Asked, bits: int, before: tuple[Array, Array], after: tuple[Array, Array], notes: list[str], doubts: list[str]) -> None:
+    """What the library found and changed, in sentences."""
+    kind = "wheel" if bits & _bit("WHEEL") else "rail"
+    if asked.kind is None:
+        notes.append(f"{kind}, by its shape")
+    if bits & _bit("DOUBT_KIND"):
         doubts.append(f"the shape hardly says whether this is a wheel or a rail; taken as a {kind}, and kind= says which")
-    return kind, found.has_convention
-
-
-def _turned(kind: str, has_convention: bool, shape: Shape, mirror_y: Optional[bool], mirror_z: Optional[bool], y: Array, z: Array,
-            notes: list[str], doubts: list[str]) -> tuple[Array, Array]:
-    """z down, the flange or the gauge side at small y, points toward larger y."""
-    down = shape.wheel_down if kind == "wheel" else shape.rail_down
-    upward = mirror_z if mirror_z is not None else _is_upward(kind, has_convention, shape, down, notes, doubts)
-    if upward:
-        z = -z
-        notes.append("z: it pointed up and is turned" if mirror_z is None else "z: turned as asked")
-        # A file against its format in one direction may be so in the other
-        has_convention = has_convention and mirror_z is not None
-    side = shape.flange_left if kind == "wheel" else shape.gauge_left[int(upward)]
-    heads = shape.heads[int(upward)]
-    if kind == "wheel" and mirror_z is not None and upward == (down.value >= 0):
-        side = Evidence()
-    mirrored = mirror_y if mirror_y is not None else _is_mirrored(kind, has_convention, side, heads, shape, notes, doubts)
-    if mirrored:
-        y = -y
-        feature = "flange" if kind == "wheel" else "gauge side"
-        notes.append(f"side: the {feature} was at large y, and y is mirrored" if mirror_y is None else "side: y is mirrored as asked")
-    if y[0] > y[-1]:
-        y, z = y[::-1], z[::-1]
-        if not mirrored:
-            notes.append("order: the points ran toward smaller y and are reversed")
-    elif mirrored:
+    _tell_z(asked, bits, notes, doubts)
+    _tell_side(asked, bits, kind, notes, doubts)
+    if before[0][0] > before[0][-1]:
         notes.append("order: the points ran toward smaller y and are reversed")
-    return y, z
+    if asked.is_series:
+        notes.append("kind, side and direction of z are those of the series")
+    across, down = (float(np.mean(new) - sign * np.mean(old)) for new, old, sign in (
+        (after[0], before[0], -1 if asked.mirror_y or bits & _bit("Y_MIRRORED") else 1),
+        (after[1], before[1], -1 if asked.mirror_z or bits & _bit("Z_TURNED") else 1)))
+    tip = float(after[0][int(np.argmax(after[1]))])
+    if bits & _bit("RUNNING_CIRCLE") and across < -0.01:
+        notes.append(f"y = 0 was the flange back: moved by {1e3 * across:g} mm to the running circle, and z by {1e3 * down:.3f} mm to zero there")
+    elif bits & _bit("DOUBT_ORIGIN") and tip > -0.02:
+        message = f"y = 0 is not the running circle: the flange's tip is at y = {1e3 * tip:.1f} mm; `shift` moves it"
+        (notes if any(asked.shift) else doubts).append(message)
+    if bits & _bit("DOUBT_POINTS"):
+        doubts.append("no line follows the points: they scatter, turn back or belong to two profiles")
 
 
-def _is_upward(kind: str, has_convention: bool, shape: Shape, down: Evidence, notes: list[str], doubts: list[str]) -> bool:
-    if has_convention:
-        # A rail is overruled if it has a head upside down and none as it stands.
-        is_rail = shape.heads == (0, 1) and shape.turned_depth >= DEEP
-        clear = down.strength >= DECISIVE and (is_rail if kind == "rail" else shape.is_wheel.strength >= 1.0 and shape.is_wheel.value > 0)
-        if down.value < 0 and clear:
-            doubts.append("z points up by the shape, against the format; mirror_z=False keeps it")
-            return True
+def _tell_z(asked: _Asked, bits: int, notes: list[str], doubts: list[str]) -> None:
+    if asked.mirror_z:
+        notes.append("z: turned as asked")
+    elif bits & _bit("Z_TURNED"):
+        notes.append("z: it pointed up and is turned")
+        if bits & _bit("DOUBT_Z"):
+            doubts.append(f"z points up by the shape, {'against the format' if asked.has_convention else 'which is weak'}; mirror_z=False keeps it")
+    elif asked.has_convention and asked.mirror_z is None:
         notes.append("z: down, by the format")
-        return False
-    if down.strength < WEAK:
+    elif bits & _bit("DOUBT_Z"):
         doubts.append("the shape hardly says whether z points down; it is taken as it stands, and mirror_z= says which")
-        return False
-    return down.value < 0
 
 
-def _is_mirrored(kind: str, has_convention: bool, side: Evidence, heads: int, shape: Shape, notes: list[str], doubts: list[str]) -> bool:
-    if has_convention:
-        if kind == "wheel" and side.value < 0 and side.strength >= DECISIVE and shape.is_wheel.value > 0 and shape.is_wheel.strength >= 1.0:
-            doubts.append("the flange is at large y, against the format; mirror_y=False keeps it")
-            return True
-        notes.append(f"side: the {'flange' if kind == 'wheel' else 'gauge side'} is at small y, by the format")
-        return False
-    if side.strength >= WEAK and heads <= 1:
-        return side.value < 0
-    if kind == "wheel":
-        notes.append("side: there is no flange; y is taken as it is")
-    elif heads > 1:
-        if side.strength >= WEAK:
-            doubts.append("side: this rail has more than one head; y is taken as it is, and mirror_y= says which")
-        else:
-            doubts.append("side: the head is as good as symmetric, and there is another beside it; y is taken as it is, and mirror_y= says which")
-    else:
-        notes.append("side: this rail is as good as symmetric; y is taken as it is")
-    return False
-
-
-def _at_running_circle(found: Points, is_shifted: bool, y: Array, z: Array, notes: list[str], doubts: list[str]) -> tuple[Array, Array]:
-    """y from the running circle, and z from its height, for a wheel that is measured from its flange back."""
-    tip = float(y[int(np.argmax(z))])
-    if np.ptp(y) < 0.08 or np.ptp(z) < 0.015 or tip <= -0.02:
-        return y, z
-    if found.from_flange_back and 0.0 < tip < 0.035:
-        y = y - _FLANGE_BACK
-        order = np.argsort(y, kind="stable")
-        tread = order[y[order] > y[int(np.argmax(z))]]
-        zero = float(np.interp(0.0, y[tread], z[tread]))
-        notes.append(f"y = 0 was the flange back: moved by {-1e3 * _FLANGE_BACK:g} mm to the running circle, and z by {-1e3 * zero:.3f} mm to zero there")
-        return y, z - zero
-    message = f"y = 0 is not the running circle: the flange's tip is at y = {1e3 * tip:.1f} mm; `shift` moves it"
-    (notes if is_shifted else doubts).append(message)
-    return y, z
+def _tell_side(asked: _Asked, bits: int, kind: str, notes: list[str], doubts: list[str]) -> None:
+    feature = "flange" if kind == "wheel" else "gauge side"
+    has_convention = asked.has_convention and not bits & _bit("Z_TURNED")
+    if asked.mirror_y:
+        notes.append("side: y is mirrored as asked")
+    elif bits & _bit("Y_MIRRORED"):
+        notes.append(f"side: the {feature} was at large y, and y is mirrored")
+        if has_convention:
+            doubts.append(f"the {feature} is at large y, against the format; mirror_y=False keeps it")
+    elif has_convention and asked.mirror_y is None:
+        notes.append(f"side: the {feature} is at small y, by the format")
+    elif bits & _bit("DOUBT_SIDE"):
+        why = "the head is as good as symmetric, and there is another beside it" if bits & _bit("SYMMETRIC") else "this rail has more than one head"
+        doubts.append(f"side: {why}; y is taken as it is, and mirror_y= says which")
+    elif bits & _bit("SYMMETRIC"):
+        notes.append(f"side: {'there is no flange' if kind == 'wheel' else 'this rail is as good as symmetric'}; y is taken as it is")
 
 
 # Writing

@@ -425,6 +425,36 @@ class Files(unittest.TestCase):
         zero = [float(np.interp(0.0, found.at(angle).y, found.at(angle).z)) for angle in (0.0, 2 * np.pi, 1.0, 3.1, -3.1)]
         np.testing.assert_allclose(1e3 * np.array(zero), np.interp(0.0, *wheel.T) - np.array([0.4, 0.4, 0.0, 0.0, 0.0]), atol=1e-4)
 
+    def test_between_slices_of_an_analytic_crossing_nose(self):
+        """A nose that widens by 1 in 10 and rises by 1 in 66: between slices the surface, the wheel's height and the peak pressure are its own."""
+
+        def nose(x):
+            half, angle = 1e-3 * (6.0 + 50.0 * x), np.linspace(-0.98, 0.98, 400) * np.pi / 2
+            return kstrip.Profile(half * (1 + np.sin(angle)), 6e-3 * (1 - x / 0.4) + 14e-3 * (1 - np.cos(angle)), "rail")
+
+        pair = kstrip.wheel_pair(wheel_radius=0.46, shear_modulus=82e9, poisson_ratio=0.28, friction=0.3)
+        wheel = kstrip.Profile(*1e-3 * points("s1002").T, "wheel").prepare()
+        velocity = kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46)
+
+        def carried(rail):
+            place = kstrip.wheel_position(lateral=-30e-3)
+            place.vertical = kstrip.height_for_load(rail, wheel, pair, place, 80e3)
+            found = kstrip.wheel_on_rail(rail, wheel, pair, place, velocity).contacts
+            return float(place.vertical), float(found.patch.strips.peak_pressure.max())
+
+        # Distance of the slices, and the largest differences: of z [m], of the wheel's height [m], of the peak pressure
+        for distance, most_z, most_height, most_peak in ((0.01, 2e-6, 0.1e-6, 2e-3), (0.05, 50e-6, 2e-6, 0.05)):
+            places = np.arange(0.0, 0.301, distance)
+            slices = kstrip.Slices(places, [nose(x) for x in places])
+            for x in (0.0561, 0.1062, 0.1834, 0.2217):
+                between, own = slices.at(x), nose(x).prepare()
+                across = own.y.min() + np.linspace(0.15, 0.85, 200) * np.ptp(own.y)
+                with self.subTest(distance=distance, x=x):
+                    np.testing.assert_allclose(np.interp(across, between.y, between.z), np.interp(across, own.y, own.z), rtol=0, atol=most_z)
+                    (height, peak), (own_height, own_peak) = carried(between), carried(own)
+                    self.assertLess(abs(height - own_height), most_height)
+                    self.assertLess(abs(peak / own_peak - 1), most_peak)
+
     def test_faults_of_lists_of_slices(self):
         profiles = [self.crossing(10.0), self.crossing(12.0)]
         path = self.listed("a.slcs", "0 1", [0.0, 1.0], profiles)
@@ -711,15 +741,81 @@ class Files(unittest.TestCase):
         self.assertLess(tracemalloc.get_traced_memory()[1], 200e6)
 
     def test_a_million_lines(self):
+        """Long files of each format come out as short ones; most of their lines are converted many at once."""
         y = np.linspace(-70.0, 60.0, 1_000_000)
-        z = np.interp(y, *points("s1002").T)
-        for name, separator in (("a.txt", " "), ("a.csv", ",")):
+        values = np.c_[y, np.interp(y, *points("s1002").T)]
+        plain = [f"{a:.6f} {b:.6f}" for a, b in values]
+        for name, lines in (
+            ("a.txt", ["y_mm z_mm", *plain]),
+            ("a.csv", ["y_mm;z_mm", *(row.replace(" ", ";").replace(".", ",") for row in plain)]),
+            ("a.prw", [*simpack(values[:1], True)[:-3], *plain[:-1], f"{plain[-1]}  ! the last one", "point.end", "spline.end"]),
+            ("a.whl", [*miniprof(values[:1])[:-1], "Origin=running circle", *plain, "END"]),
+        ):
             path = self.folder / name
-            path.write_text("y_mm" + separator + "z_mm\n" + "".join(f"{a:.6f}{separator}{b:.6f}\n" for a, b in zip(y, z)))
+            path.write_text("\n".join(lines) + "\n")
             found = kstrip.read_profile(path)
-            self.assertEqual(found.kind, "wheel")
-            np.testing.assert_allclose(found.y, 1e-3 * y, atol=1e-9)
-            np.testing.assert_allclose(found.z, 1e-3 * z, atol=1e-9)
+            with self.subTest(name):
+                self.assertEqual(found.kind, "wheel")
+                np.testing.assert_allclose(found.y, 1e-3 * y, atol=1e-9)
+                np.testing.assert_allclose(found.z, 1e-3 * values[:, 1], atol=1e-9)
+
+    def test_words_after_the_points_of_an_instrument(self):
+        rail = points("uic60")
+        for footer in (["END"], ["", "End of the file, 12:30", "(Sd/Sh/qR) 32.58 37.11"], ["[Profile1End]"]):
+            found = self.read("a.ban", miniprof(rail) + footer)
+            with self.subTest(footer):
+                self.same(found, rail, 1e-8)
+                self.assertEqual((self.warned, "stand after the points" in "".join(found.notes)), ([], footer[-1][0] != "["))
+        for lines, line in ((miniprof(rail)[:50] + ["END"] + miniprof(rail)[50:], 51), (miniprof(rail) + ["12.5 abc"], 489)):
+            with self.assertRaisesRegex(kstrip.ProfileError, "numbers are needed") as caught:
+                self.read("a.ban", lines)
+            self.assertEqual(caught.exception.line, line)
+
+    def test_tables_without_unit_that_are_at_most_twelve_wide(self):
+        """Wheels and rails of their size in inches are inches; rollers and grooves are mm. Both with a warning."""
+        for name in WHEELS + RAILS:
+            values = points(name)
+            for sign in ((1, 1), (-1, -1)):
+                for kind in (None, "wheel" if name in WHEELS else "rail"):
+                    found = self.read("in.txt", [f"{y:.9f} {z:.9f}" for y, z in values * sign / 25.4], kind=kind)
+                    with self.subTest(name=name, sign=sign, kind=kind):
+                        self.same(found, values, 1e-8)
+                        self.assertTrue(any("taken as inches" in warning for warning in self.warned))
+        for width in (3.0, 8.0, 12.0):
+            y = np.linspace(-width / 2, width / 2, 201)
+            share = 2 * y / width
+            groove = np.sqrt(4.0 * width**2 - y**2) - 2 * width
+            for shape in (y**2 / 400, -0.005 * np.log(1 - 0.995 * share**2), 2.0 * np.maximum(0, abs(share) - 0.9), groove):
+                for kind in ("wheel", "rail", None):
+                    found = self.read("mm.txt", [f"{a:.9f} {b:.9f}" for a, b in np.c_[y, shape]], kind=kind)
+                    with self.subTest(width=width, kind=kind):
+                        self.assertAlmostEqual(np.ptp(found.y), 1e-3 * width, delta=1e-9)
+                        self.assertTrue(any("taken as mm" in warning for warning in self.warned))
+
+    def test_a_rail_that_may_be_a_groove_stands_as_the_caller_has_it(self):
+        """Grooves for balls, whose shape is that of a rail upside down; a roller has no groove, and is turned with a warning."""
+        for radius, half in ((5.2, 4.0), (10.1, 7.0), (10.1, 3.0), (40.0, 9.0)):
+            y = np.linspace(-half, half, 201)
+            groove = np.c_[y, np.sqrt(radius**2 - y**2) - radius]
+            rows = [f"{a:.8f} {b:.8f}" for a, b in groove]
+            with self.subTest(radius=radius, half=half):
+                found = self.read("groove.txt", rows, kind="rail", units="mm")
+                self.same(found, groove, 1e-8)
+                self.assertTrue(any("mirror_z= says which" in warning for warning in self.warned))
+                self.same(self.read("groove.txt", rows, kind="rail", units="mm", mirror_z=False), groove, 1e-8)
+                self.assertEqual(self.warned, [])
+                found = self.read("roller.txt", rows, kind="wheel", units="mm")
+                self.same(found, groove, 1e-8)
+                self.assertEqual(self.warned, [])
+                found = self.read("roller.txt", [f"{a:.8f} {-b:.8f}" for a, b in groove], kind="wheel", units="mm")
+                self.same(found, groove, 1e-8)
+                self.assertTrue(any("mirror_z=False keeps it" in warning for warning in self.warned))
+        # A head of a rail has the width or the depth of none
+        y = np.linspace(-30.0, 30.0, 121)
+        self.same(self.read("top.txt", [f"{a:.6f} {-(a**2) / 600:.8f}" for a in y], kind="rail"), np.c_[y, y**2 / 600], 1e-8)
+        self.assertTrue(any("mirror_z=False keeps it" in warning for warning in self.warned))
+        self.same(self.read("head.txt", [f"{a:.6f} {-(a**2) / 60:.8f}" for a in y], kind="rail"), np.c_[y, y**2 / 60], 1e-8)
+        self.assertEqual(self.warned, [])
 
     def test_round_trip(self):
         for name in WHEELS + RAILS:

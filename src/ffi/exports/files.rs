@@ -1,8 +1,8 @@
-//! Profiles from the text of a file, and between two slices.
+//! Profiles from the text of a file, the right way round, and between two slices.
 
 use super::F;
 use crate::ffi::support::{given, input, output, put, status_of};
-use crate::profile_file::ProfileFile;
+use crate::profile_file::{ProfileFile, orient_points, unit_of_points};
 use crate::status::{Error, kstrip_status};
 use crate::wheel_rail::profile::PreparedProfile;
 use core::ffi::c_char;
@@ -20,7 +20,8 @@ use core::mem::MaybeUninit;
 ///
 /// @param text, length    the text of the file and its number of bytes. It need not end with 0.
 /// @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
-///                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL.
+///                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and what is certain,
+///                        KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
 /// @param[out] y, z       arrays of `capacity` elements; receive the points [m].
 /// @param capacity        number of elements of y and of z.
 /// @param[out] count      receives the number of points.
@@ -41,20 +42,71 @@ pub unsafe extern "C" fn kstrip_read_profile(
     status_of(|| {
         let (text, y, z, count) = (text?, y?, z?, given(count)?);
         let file = ProfileFile::<F>::open(text, format, capacity as usize)?;
-        let cleared = [y, z].map(|list| {
-            let list = list.get_mut(..file.point_count()).unwrap_or(&mut []);
-            list.iter_mut().for_each(|place| {
-                place.write(0.0);
-            });
-            // SAFETY: each element was written.
-            unsafe { &mut *(core::ptr::from_mut(list) as *mut [F]) }
-        });
-        let [y, z] = cleared;
-        let (found, warning) = file.read(y, z);
+        let [y, z] =
+            [y, z].map(|list| zeroed(list.get_mut(..file.point_count()).unwrap_or(&mut [])));
         count.write(file.point_count() as u32);
+        let (found, warning) = file.read(y, z);
         put(notes, found);
         Ok(warning)
     })
+}
+
+/// Turns profiles the right way round by their shape: points toward larger y, z down, the flange or
+/// the gauge side at small y.
+///
+/// kstrip_read_profile() includes this; the function is for points from other sources. Kind, unit,
+/// side and direction of z are decided once, from all profiles together, such as the slices of a
+/// crossing or one wheel at several dates. docs/profile-files.md has the rules.
+///
+/// @param y, z            the points of all profiles, one profile after the other, in their order
+///                        along each profile.
+/// @param counts          number of the points of each profile, at least four.
+/// @param profile_count   number of profiles, at least one.
+/// @param format          a sum of KSTRIP_FORMAT_ constants. KSTRIP_FORMAT_ANY: nothing is known,
+///                        the shape decides. KSTRIP_FORMAT_SIMPACK: the points should stand as that
+///                        format has them. KSTRIP_FORMAT_MINIPROF: y = 0 of a wheel is its flange
+///                        back. The constants that may be added to a format name what is certain.
+/// @param unit            metres per unit of y and z; 0: size and shape decide.
+/// @param[out] turned_y, turned_z  arrays of as many elements as y and z, which receive the points
+///                        [m]; not y and z themselves.
+/// @param[out] taken_unit  receives the metres per unit that were taken; NULL: not needed.
+/// @param[out] notes      receives what was changed, a sum of KSTRIP_NOTE_; NULL: not needed.
+/// @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
+///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY (2^32 points or more), KSTRIP_ERROR_PROFILE
+///         (no profile, or fewer than four points), KSTRIP_ERROR_NOT_FINITE,
+///         KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_UNITS.
+#[unsafe(export_name = symbol!("kstrip_orient_profiles"))]
+pub unsafe extern "C" fn kstrip_orient_profiles(
+    y: *const F, z: *const F, counts: *const u32, profile_count: u32, format: u32, unit: F,
+    turned_y: *mut F, turned_z: *mut F, taken_unit: Option<&mut MaybeUninit<F>>,
+    notes: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    // SAFETY: NULL or as many elements as profile_count and the counts say, says the header.
+    let given = unsafe {
+        input(counts, profile_count).and_then(|counts| {
+            let count = counts.iter().map(|count| u64::from(*count)).sum::<u64>();
+            let count = u32::try_from(count).map_err(|_| Error::Capacity)?;
+            let turned = [output(turned_y, count)?, output(turned_z, count)?];
+            Ok((counts, [input(y, count)?, input(z, count)?], turned))
+        })
+    };
+    status_of(|| {
+        let (counts, points, turned) = given?;
+        let mut unit = unit_of_points(points, counts, format, unit)?;
+        let (found, warning) = orient_points(points, turned.map(zeroed), counts, format, &mut unit);
+        put(taken_unit, unit.metres);
+        put(notes, found);
+        Ok(warning)
+    })
+}
+
+/// An output, filled with zeros.
+fn zeroed(list: &mut [MaybeUninit<F>]) -> &mut [F] {
+    list.iter_mut().for_each(|place| {
+        place.write(0.0);
+    });
+    // SAFETY: each element was written.
+    unsafe { &mut *(core::ptr::from_mut(list) as *mut [F]) }
 }
 
 /// The prepared profile at a place between two slices of a surface that varies along the track,

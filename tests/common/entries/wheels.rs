@@ -111,6 +111,40 @@ fn read_profile(bytes: &mut Bytes) {
     }
 }
 
+fn orient_profiles(bytes: &mut Bytes) {
+    let counts = [0, 0].map(|_: u32| bytes.below(POINTS / 2) as u32);
+    let all = counts.iter().sum::<u32>() as usize;
+    let scale: Float = Number::of(bytes, 30.0);
+    let at = |k: usize| k as Float / 50.0 - 1.0;
+    let mut points = [1, 2].map(|power| (0..all).map(|k| scale * at(k).powi(power)).collect());
+    if all > 0 && bytes.byte() < 64 {
+        points
+            .iter_mut()
+            .for_each(|list: &mut Vec<_>| list[bytes.below(all)] = Number::of(bytes, 1.0));
+    }
+    let format = if bytes.byte() < 64 { u32::from(bytes.byte()) } else { 0 };
+    let unit: Float = if bytes.byte() < 128 { Number::of(bytes, 1e-3) } else { 0.0 };
+    let (mut y, mut z) = (poisoned_array::<Float, POINTS>(), poisoned_array::<Float, POINTS>());
+    let (mut taken, mut notes) = (poisoned::<Float>(), poisoned::<u32>());
+    let given = bytes.given();
+    // SAFETY: NULL or as many elements as said.
+    let status = unsafe {
+        let [given_y, given_z] = [(0, &points[0]), (1, &points[1])].map(|(k, x)| given.array(k, x));
+        let counts = given.array(2, &counts);
+        let (y, z) = (given.places(3, &mut y), given.places(4, &mut z));
+        let (taken, notes) = (given.output(5, &mut taken), given.output(6, &mut notes));
+        kstrip_orient_profiles(given_y, given_z, counts, 2, format, unit, y, z, taken, notes)
+    };
+    let untouched =
+        all_untouched(&y) && all_untouched(&z) && untouched(&taken) && untouched(&notes);
+    if answered(status, untouched) {
+        let turned =
+            |list: &[MaybeUninit<Float>]| list[..all].iter().map(written).collect::<Vec<_>>();
+        assert!(finite(&turned(&y)) && finite(&turned(&z)));
+        assert!(all_untouched(&y[all..]) && all_untouched(&z[all..]));
+    }
+}
+
 fn profile_between(bytes: &mut Bytes) {
     let (mut first, mut second) = (zeroed::<kstrip_surface>(), zeroed::<kstrip_surface>());
     prepare(bytes, 0.3, Some(&mut first));
@@ -778,6 +812,7 @@ fn equivalent_conicity(bytes: &mut Bytes) {
 pub const ENTRIES: &[Entry] = &[
     ("read_profile", read_profile),
     ("prepare_profile", prepare_profile),
+    ("orient_profiles", orient_profiles),
     ("profile_between", profile_between),
     ("touch", touch),
     ("contacts_from_gap", contacts_from_gap),
