@@ -113,7 +113,7 @@ class Rows:
 
     def add_many(self, rows: Array, first_line: int) -> None:
         self._part()
-        self._parts.append(np.column_stack((rows, first_line + np.arange(len(rows)))))
+        self._parts.append(np.column_stack((rows, first_line + np.arange(len(rows), dtype=float))))
         self.count += len(rows)
 
     def _part(self) -> None:
