@@ -82,7 +82,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Row<F, N, ROOM> {
     }
 
     /// The same of one row, whose diagonal is number `k` of its four.
-    #[inline(always)]
+    #[inline]
     fn eliminate_one(&mut self, range: Range<usize>, k: usize, above: &Self) {
         let list = self.factors.as_chunks_mut::<4>().0.get_mut(range.clone());
         let rows = (list.and_then(|list| list.split_first_mut()), above.fours(range).split_first());
@@ -100,7 +100,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Row<F, N, ROOM> {
 }
 
 /// `own ← own − f above`
-#[inline(always)]
+#[inline]
 fn subtract<F: Float>(own: &mut [F; 4], factor: F, above: &[F; 4]) {
     for (own, above) in own.iter_mut().zip(above) {
         *own -= factor * *above;

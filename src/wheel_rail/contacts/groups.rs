@@ -37,7 +37,7 @@ use heapless::Vec;
 /// Least length `T`, free length up to which zones are one contact \[m\].
 const ONE_CONTACT: f64 = 5e-3;
 /// Range of `T` \[m\].
-pub(super) const BLEND: f64 = 2e-3;
+pub(super) const BAND: f64 = 2e-3;
 /// Range of the depth below which a zone is weak, over that of the deepest zone.
 const WEAK: [f64; 2] = [0.1, 0.2];
 /// Largest number of zones that are told apart.
@@ -165,8 +165,8 @@ impl<F: Float> Overlaps<F> {
             let strong = Strong { places: &places, level: next };
             let shortest = strong.shortest();
             usual &= shortest <= F::of(ONE_CONTACT);
-            let longest = shortest.plus(BLEND);
-            let exceeds = |free: F| F::one() - smooth_step(ramp(free - shortest, [0.0, BLEND]));
+            let longest = shortest.plus(BAND);
+            let exceeds = |free: F| F::one() - smooth_step(ramp(free - shortest, [0.0, BAND]));
             let mut length = shortest;
             while length < longest {
                 let longer = strong.next_bound(length, longest);

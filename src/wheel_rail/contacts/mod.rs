@@ -364,8 +364,8 @@ pub struct ContactCount {
 /// the normal problem of each.
 ///
 /// # Errors
-/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 2.3; [`Error::Capacity`]; those of `WheelPair::check` and of
-/// [`Patch::from_profile`](crate::patch::Patch::from_profile).
+/// [`Error::Profile`] for a gap that does not ascend, or an angle beyond 2.3; [`Error::Capacity`];
+/// those of `WheelPair::check` and of [`Patch::from_profile`](crate::patch::Patch::from_profile).
 pub fn from_gap<F: Float>(
     gap: &Gap<F>, pair: &WheelPair<F>, position: &Position<F>, count: StripCount,
     strips: &mut Patch<F>, contacts: &mut [WheelContact<F>; KSTRIP_CONTACTS_CAPACITY],

@@ -3,7 +3,7 @@
 //! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
 //! their exact derivatives; what follows from these is computed anew after each step.
 
-use super::groups::{BLEND, Group, Groups, Overlaps};
+use super::groups::{BAND, Group, Groups, Overlaps};
 use super::moves::PointMoves;
 use super::view::View;
 use super::{WheelContact, group_zones};
@@ -255,7 +255,7 @@ fn rates_of_shares<F: Float>(
     let mut fastest = F::TINY;
     let rate = |own: Directed<F>| own.derivative(direction);
     curve.overlaps(rate, |zone| {
-        let [begin, end] = zone.ends.map(|end| end.abs().times(1.0 / BLEND));
+        let [begin, end] = zone.ends.map(|end| end.abs().times(1.0 / BAND));
         fastest = fastest.max(begin).max(end).max(zone.depth.times(DEEPER) / deepest);
     });
     let step = F::EPSILON.cube_root() / fastest;
