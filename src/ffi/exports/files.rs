@@ -52,25 +52,15 @@ pub unsafe extern "C" fn kstrip_read_profile(
 }
 
 /// Turns profiles the right way round by their shape: points toward larger y, z down, the flange or
-/// the gauge side at small y.
+/// the gauge side at small y. kstrip_read_profile() includes this. Kind, unit and directions are
+/// decided once for all profiles. docs/profile-files.md has the rules.
 ///
-/// kstrip_read_profile() includes this; the function is for points from other sources. Kind, unit,
-/// side and direction of z are decided once, from all profiles together, such as the slices of a
-/// crossing or one wheel at several dates. docs/profile-files.md has the rules.
-///
-/// @param y, z            the points of all profiles, one profile after the other, in their order
-///                        along each profile.
-/// @param counts          number of the points of each profile, at least four.
-/// @param profile_count   number of profiles, at least one.
-/// @param format          a sum of KSTRIP_FORMAT_ constants. KSTRIP_FORMAT_ANY: nothing is known,
-///                        the shape decides. KSTRIP_FORMAT_SIMPACK: the points should stand as that
-///                        format has them. KSTRIP_FORMAT_MINIPROF: y = 0 of a wheel is its flange
-///                        back. The constants that may be added to a format name what is certain.
+/// @param y, z            the points of all profiles, one profile after the other.
+/// @param counts, profile_count  number of the points of each profile, at least four; of profiles.
+/// @param format          a sum of KSTRIP_FORMAT_ constants: the convention of the points.
 /// @param unit            metres per unit of y and z; 0: size and shape decide.
-/// @param[out] turned_y, turned_z  arrays of as many elements as y and z, which receive the points
-///                        [m]; not y and z themselves.
-/// @param[out] taken_unit  receives the metres per unit that were taken; NULL: not needed.
-/// @param[out] notes      receives what was changed, a sum of KSTRIP_NOTE_; NULL: not needed.
+/// @param[out] turned_y, turned_z  receive the points [m]; not y and z themselves.
+/// @param[out] taken_unit, notes  receive the unit, and a sum of KSTRIP_NOTE_; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
 ///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY (2^32 points or more), KSTRIP_ERROR_PROFILE
 ///         (no profile, or fewer than four points), KSTRIP_ERROR_NOT_FINITE,
