@@ -250,7 +250,7 @@ fn move_to_running_circle<F: Float>(y: &mut [F], z: &mut [F], is_from_back: bool
     let is_there = |(a, b): &((F, F), (F, F))| a.0 <= circle && circle < b.0;
     let chord = tread().zip(tread().skip(1)).find(is_there);
     let end = tread().last().map_or(F::zero(), |point| point.1);
-    let zero = chord.map_or(end, |(a, b)| a.1 + (circle - a.0) * (b.1 - a.1) / (b.0 - a.0));
+    let zero = chord.map_or(end, |(a, b)| a.1 + (circle - a.0) / (b.0 - a.0) * (b.1 - a.1));
     y.iter_mut().for_each(|y| *y -= circle);
     z.iter_mut().for_each(|z| *z -= zero);
     KSTRIP_NOTE_RUNNING_CIRCLE

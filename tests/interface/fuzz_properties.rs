@@ -336,3 +336,20 @@ fn patches_at_the_ends_of_the_range() {
     let field = PatchField::new(&view, &motion, None, Model::Strip1967Continuous);
     assert!(field.is_err_and(|error| error == Error::Overflow));
 }
+
+/// A wheel of a file of MiniProf is moved to its running circle, also where the product of a chord's
+/// width and height has no number in single precision.
+#[test]
+fn wheels_of_any_size_are_moved_to_their_running_circle() {
+    use kstrip::profile_file::{notes, orient_points, unit_of_points};
+    let format = notes::KSTRIP_FORMAT_MINIPROF
+        | notes::KSTRIP_FORMAT_WHEEL
+        | notes::KSTRIP_FORMAT_Z_DOWN
+        | notes::KSTRIP_FORMAT_SIDE;
+    let given = [[0.0, 0.01, -1e12, 1e12], [0.0, 0.02, 0.0, -1e12_f32]];
+    let points = given.each_ref().map(|list| &list[..]);
+    let [mut y, mut z] = [[f32::NAN; 4]; 2];
+    let mut unit = unit_of_points(points, &[4], format, 1e8).expect("valid points");
+    orient_points(points, [&mut y, &mut z], &[4], format, &mut unit);
+    assert!(y.iter().chain(&z).all(|number| number.is_finite()), "{y:?} {z:?}");
+}
