@@ -337,8 +337,8 @@ fn patches_at_the_ends_of_the_range() {
     assert!(field.is_err_and(|error| error == Error::Overflow));
 }
 
-/// A wheel of a file of MiniProf is moved to its running circle, also where the product of a chord's
-/// width and height has no number in single precision.
+/// A wheel of a file of MiniProf is moved to its running circle, also where the product of the
+/// width and the height of a chord has no number in single precision.
 #[test]
 fn wheels_of_any_size_are_moved_to_their_running_circle() {
     use kstrip::profile_file::{notes, orient_points, unit_of_points};
