@@ -2,17 +2,20 @@
 //!
 //! The search begins above the rail, wherever the wheel was, so that of several heights it finds
 //! the first. It lowers the wheel until the surfaces touch, and then follows the force to the power
-//! 2/3, which is nearly linear for Hertz's contacts: by Newton's steps with the stiffness at first,
-//! then by secants, always between a height with less than the requested force and one with more.
+//! 2/3, which is nearly linear for Hertz's contacts: by secants between heights of like stiffness,
+//! else by Newton's steps, always between a height with less than the requested force and one with
+//! more; by halvings after steps that do not lead closer.
 //! It ends where the force is accurate to rounding: to that of the force, or to that of the points
 //! of the profiles.
 //!
 //! A height at which a profile ends in the contact is too low. If nothing touches above it, the
-//! wheel passes an edge of the rail there, and the search goes on below.
+//! wheel passes an edge of the rail there, and the search goes on below. This is also tried if a
+//! profile ends in the contact as soon as the wheel touches.
 
+use super::contacts::view;
 use super::scene::{Scene, Workspace};
-use super::touch::Gap;
-use super::{BodyState, Position, Velocity};
+use super::touch::{self, Gap};
+use super::{BodyState, Position, Velocity, sine_cosine};
 use crate::contact::material::{check_modulus, check_poisson_ratio};
 use crate::number::Float;
 use crate::status::{Error, Warning};
@@ -21,6 +24,10 @@ use crate::status::{Error, Warning};
 const HEIGHTS: u32 = 100;
 /// Largest factor by which the depth below the first touch grows in a step.
 const DEPTH_GROWTH: f64 = 4.0;
+/// Largest share of the excess of the height before the last that is not slow.
+const SLOW_SHARE: f64 = 0.5;
+/// Share of a step below which no load is looked for between a height and a profile's end.
+const NEAR_END: f64 = 0.01;
 /// Peak pressure over the shear modulus from which no wheel is supported: flanges have 0.05.
 const CRUSHED: f64 = 0.05;
 /// Hertz's approach over the wheel's radius from which no force is looked for.
@@ -30,7 +37,11 @@ const COORDINATES: f64 = 0.1;
 /// Roundings of a height by which the force may jump between neighbouring heights.
 const JUMP: f64 = 10.0;
 /// How many heights without a force are tried above one at which a profile ends.
-const EMPTY: u32 = 3;
+const EMPTY: u32 = 2;
+/// Quotient of two stiffnesses from which another contact begins between the heights.
+const STIFFER: f64 = 2.0;
+/// Least cosine of an angle by which a distance along a normal becomes a vertical one.
+const STEEP: f64 = 0.1;
 
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
@@ -42,12 +53,14 @@ struct Heights<F> {
     below: Option<Tried<F>>,
     /// One at which the wheel is too deep in the rail to have a force, and the first error there.
     deep: Option<(F, Error)>,
-    /// The last one with a force.
-    last: Option<Tried<F>>,
+    /// The last one with a force, and the slope of the straightened force there.
+    last: Option<(Tried<F>, F)>,
     /// How many have no force above a height that is too deep.
     empty: u32,
     /// The lowest height that is too deep.
     lowest: Option<F>,
+    /// Sizes of the last excess and of the one before.
+    sizes: [F; 2],
 }
 
 /// Whether the wheel is too deep in the rail to have a force, or beside it.
@@ -57,7 +70,8 @@ const fn is_too_deep(error: Error) -> bool {
 
 impl<F: Float> Heights<F> {
     const fn new() -> Self {
-        Self { above: None, below: None, deep: None, last: None, empty: 0, lowest: None }
+        let sizes = [F::LARGEST; 2];
+        Self { above: None, below: None, deep: None, last: None, empty: 0, lowest: None, sizes }
     }
 
     fn note_deep(&mut self, height: F, error: Error) {
@@ -73,14 +87,26 @@ impl<F: Float> Heights<F> {
     }
 
     /// Notes a height, by how much the straightened force there exceeds the requested one, and the
-    /// slope of that force as Hertz says, if there is a force. Returns the place of the next step.
+    /// slope of that force as Hertz says, if there is a force. Returns the place of the next step;
+    /// none after steps that do not lead closer.
     fn note(&mut self, height: F, excess: F, by_hertz: Option<F>) -> Option<F> {
+        let [last, earlier] = self.sizes;
+        self.sizes = [excess.abs(), last];
         let side = if excess < F::zero() { &mut self.above } else { &mut self.below };
         *side = Some((height, excess));
-        let secant = self.last.map(|(place, more)| (excess - more) / (height - place));
-        self.last = by_hertz.map(|_| (height, excess));
+        let before = self.last;
+        self.last = by_hertz.map(|slope| ((height, excess), slope));
+        let own = by_hertz.unwrap_or(F::zero());
+        let is_alike = |(_, slope): &(Tried<F>, F)| {
+            let [less, more] = [own.min(*slope), own.max(*slope)];
+            more < less.times(STIFFER)
+        };
+        let secant =
+            before.filter(is_alike).map(|((place, more), _)| (excess - more) / (height - place));
         let slope = secant.or(by_hertz).filter(|slope| *slope > F::zero());
-        slope.map(|slope| height - excess / slope)
+        let is_slow = excess.abs() > earlier.times(SLOW_SHARE);
+        let is_between = self.above.is_some() && self.too_low().is_some();
+        slope.filter(|_| !(is_slow && is_between)).map(|slope| height - excess / slope)
     }
 
     /// The highest place that is known to be too low, with an error where it is too deep.
@@ -154,7 +180,9 @@ impl<F: Float> Scene<'_, F> {
         let length = self.wheel.step * F::widened(self.wheel.count as f32);
         let rounding = (length * F::EPSILON).times(COORDINATES);
         let mut heights = Heights::new();
-        let mut here = touches + expected * per_normal;
+        // N = F/cos a, and along the normal the surfaces approach by the cosine
+        let sink = expected * per_normal.squared().cube_root() * per_normal;
+        let mut here = touches + sink;
         let mut trend = Trend { least: None, falls: false, rounding: support * F::EPSILON.sqrt() };
         // by how much the straightened force grows over a rounding of the height
         let mut unsure = F::zero();
@@ -165,7 +193,16 @@ impl<F: Float> Scene<'_, F> {
                 Err(error) if is_too_deep(error) => {
                     heights.note_deep(here, error);
                     end = end.or(Some(error));
-                    None
+                    // a profile ends as soon as the wheel touches
+                    if tried == 1
+                        && here <= touches
+                        && let Some(touch) = self.below_edge(here, true, position, memory)?
+                    {
+                        (heights, touches, here) = (Heights::new(), touch, touch + expected);
+                        continue;
+                    }
+                    // the first touch itself is tried next
+                    (tried == 0).then_some(touches)
                 }
                 Err(error) => return Err(error),
                 Ok([force, stiffness]) => {
@@ -182,15 +219,19 @@ impl<F: Float> Scene<'_, F> {
                     }
                     let next = heights.note(here, rest, by_hertz);
                     if memory.count == 0 {
-                        touches = nearest(&memory.gap).map_or(touches, |distance| here + distance);
-                        if heights.is_above_edge() {
-                            let from = heights.lowest.unwrap_or(here);
-                            here = self.below_edge(from, expected, length, position, memory)?;
-                            (heights, touches) = (Heights::new(), here);
+                        let from = heights.lowest.unwrap_or(here);
+                        if heights.is_above_edge()
+                            && let Some(touch) = self.below_edge(from, false, position, memory)?
+                        {
+                            (heights, touches, here) = (Heights::new(), touch, touch + expected);
                             continue;
                         }
+                        let next = self.next_touch(here, position, memory)?;
+                        touches = next.unwrap_or(here.plus(touch::DEFAULT_REACH));
+                        heights.deep.is_none().then_some(touches + expected)
+                    } else {
+                        next
                     }
-                    next
                 }
             };
             here = match (heights.above, heights.too_low()) {
@@ -207,19 +248,21 @@ impl<F: Float> Scene<'_, F> {
                         let warning = if is_close { warning } else { Warning::NotConverged };
                         return Ok((here, warning));
                     }
-                    // a secant that does not close in is followed by halvings
-                    let inside = next.filter(|next| *next > high && *next < low);
-                    if tried % 8 == 7 { middle } else { inside.unwrap_or(middle) }
+                    let is_far = |next: F| low - high < (next - high).times(NEAR_END);
+                    if let Some(error) = error.filter(|_| next.is_some_and(is_far)) {
+                        return Err(error);
+                    }
+                    next.filter(|next| *next > high && *next < low).unwrap_or(middle)
                 }
                 (Some((high, _)), None) => {
                     let from = high.max(touches);
                     let farthest = from + (high - touches).max(expected) * F::of(DEPTH_GROWTH);
-                    let next = next.or(Some(touches + expected * per_normal));
+                    let next = next.or(Some(touches + sink));
                     next.filter(|next| *next > high).map_or(farthest, |next| next.min(farthest))
                 }
                 (None, Some((low, _))) => {
-                    let farthest = low - (touches - low).max(expected) * F::of(DEPTH_GROWTH);
-                    next.filter(|next| *next < low).map_or(farthest, |next| next.max(farthest))
+                    let farther = low - (touches - low).max(expected) * F::of(DEPTH_GROWTH);
+                    next.filter(|next| *next < low).unwrap_or(farther)
                 }
                 (None, None) => return Ok((here, Warning::NotConverged)),
             };
@@ -231,22 +274,55 @@ impl<F: Float> Scene<'_, F> {
         }
     }
 
-    /// The first height below an edge at which the wheel touches and is not too deep: by steps that
-    /// grow.
+    /// About the height at which the wheel touches next, at a height without a contact; none if
+    /// that is farther than gaps reach.
+    ///
+    /// # Errors
+    /// Those of [`Scene::place`] that do not mean that the wheel is too deep.
+    fn next_touch(
+        &self, here: F, position: &Position<F>, memory: &mut Workspace<F>,
+    ) -> Result<Option<F>, Error> {
+        let mut distance = nearest(&memory.gap);
+        if distance.is_none() {
+            let right = Position { vertical: here, ..*position }.mirrored(self.pair.left != 0);
+            let found = self.search_at(&right)?.gap(F::of(touch::DEFAULT_REACH), &mut memory.gap);
+            distance = match found {
+                Err(error) if !is_too_deep(error) => return Err(error),
+                Err(_) => None,
+                Ok(_) => nearest(&memory.gap),
+            };
+        }
+        Ok(distance.map(|distance| here + distance))
+    }
+
+    /// About the first height below an edge at which the wheel touches: by steps that grow, the
+    /// first as long as gaps reach. None if the first step does not pass the edge but `must_pass`.
     ///
     /// # Errors
     /// [`Error::ProfileEnd`] if there is none within a length; those of [`Scene::place`].
     fn below_edge(
-        &self, from: F, mut step: F, length: F, position: &Position<F>, memory: &mut Workspace<F>,
-    ) -> Result<F, Error> {
-        let mut here = from;
+        &self, from: F, must_pass: bool, position: &Position<F>, memory: &mut Workspace<F>,
+    ) -> Result<Option<F>, Error> {
+        let length = self.wheel.step * F::widened(self.wheel.count as f32);
+        let mut step = view::reach(self.wheel.step, self.pair.smoothing_length);
+        let (mut here, mut passed) = (from, !must_pass);
         while here < from + length {
             here += step;
             step = step.times(2.0);
-            match self.place(&Position { vertical: here, ..*position }, memory) {
+            let touch = match self.place(&Position { vertical: here, ..*position }, memory) {
                 Err(error) if !is_too_deep(error) => return Err(error),
-                Ok(_) if memory.count > 0 => return Ok(here),
-                _ => {}
+                Err(_) => None,
+                Ok(_) if memory.count > 0 => Some(here),
+                Ok(_) => {
+                    passed = true;
+                    self.next_touch(here, position, memory)?
+                }
+            };
+            if !passed {
+                return Ok(None);
+            }
+            if touch.is_some() {
+                return Ok(touch);
             }
         }
         Err(Error::ProfileEnd)
@@ -260,8 +336,9 @@ impl<F: Float> Scene<'_, F> {
         support.worse(self.plausibility(memory.found()))
     }
 
-    /// The upward force of the rail on the wheel, without a velocity that of the pressure alone;
-    /// and the derivative of the latter with respect to the vertical position.
+    /// The upward force of the rail on the wheel, without a velocity the vertical component of the
+    /// pressure alone; and its derivative with respect to the vertical position if creep forces
+    /// grow like the pressure.
     fn support(
         &self, position: &Position<F>, velocity: Option<&Velocity<F>>, memory: &mut Workspace<F>,
     ) -> Result<[F; 2], Error> {
@@ -282,7 +359,9 @@ impl<F: Float> Scene<'_, F> {
             pressure += contact.share * contact.normal_force * vertical;
             stiffness += contact.share * contact.stiffness * vertical * vertical;
         }
-        Ok([force.unwrap_or(pressure), stiffness])
+        let force = force.unwrap_or(pressure);
+        let share = if pressure > F::zero() { force / pressure } else { F::zero() };
+        Ok([force, stiffness * share])
     }
 
     /// About the vertical position at which the wheel touches first on its way down, and by how
@@ -291,12 +370,18 @@ impl<F: Float> Scene<'_, F> {
         let right = position.mirrored(self.pair.left != 0);
         let found = self.search_at(&right)?.lowered();
         let [touches, cosine] = found.ok_or(Error::ProfileEnd)?;
-        Ok([touches, F::one() / cosine.abs().max(F::of(0.1))])
+        Ok([touches, F::one() / cosine.abs().max(F::of(STEEP))])
     }
 }
 
-/// The least distance of the points of a gap; none where all points are farther than it reaches.
+/// About how far the wheel moves down until it touches, 0 if it does; none if all points are
+/// farther than the gap reaches.
 fn nearest<F: Float>(gap: &Gap<F>) -> Option<F> {
-    let distances = gap.distance.iter().take(gap.count as usize).copied();
-    distances.reduce(F::min).map(|least| least.max(F::zero()))
+    let points = gap.distance.iter().zip(&gap.angle).take(gap.count as usize);
+    // along the normal the surfaces approach by the cosine
+    let vertical = points.map(|(distance, angle)| {
+        let (_, cosine) = sine_cosine(*angle);
+        *distance / cosine.max(F::of(STEEP))
+    });
+    vertical.reduce(F::min).map(|least| least.max(F::zero()))
 }

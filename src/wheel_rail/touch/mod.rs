@@ -15,7 +15,7 @@ pub use self::gap::Gap;
 use self::gap::GapPoint;
 use self::line_of_contact::Wheel;
 use crate::number::avx::with_avx;
-use crate::number::{Float, Strips};
+use crate::number::{Float, Strips, ascend};
 use crate::status::Error;
 use crate::wheel_rail::profile::{CurvePoint, PreparedProfile};
 use crate::wheel_rail::{KSTRIP_SURFACE_CAPACITY, Position, WheelPair};
@@ -256,35 +256,48 @@ impl<'a, F: Float> GapSearch<'a, F> {
     /// its line of contact, and the cosine of the rail's angle there. None where no point of the
     /// wheel is over the rail.
     pub(super) fn lowered(&self) -> Option<[F; 2]> {
+        let points = self.rail.count as usize;
+        let groups = (self.wheel.count as usize).div_ceil(FOUR);
+        let mut least = None;
+        let mut piece = 0;
+        (0..groups).for_each(|group| self.lower(group, &mut piece, &mut least));
+        // an overhang hides what is below it from one of both ends
+        if !ascend(self.rail.y.get(..points).unwrap_or(&[])) {
+            piece = points.saturating_sub(2);
+            (0..groups).rev().for_each(|group| self.lower(group, &mut piece, &mut least));
+        }
+        least
+    }
+
+    /// Lowers four points of the wheel onto the next pieces of the rail that are under them, from
+    /// the piece of the point before.
+    fn lower(&self, group: usize, piece: &mut usize, least: &mut Option<[F; 2]>) {
         let Self { rail, wheel, turned, position } = *self;
-        let (points, mut k) = (rail.count as usize, 0);
+        let points = rail.count as usize;
         let y_of = |k: usize| rail.y.get(k).copied().filter(|_| k < points);
-        let mut least: Option<[F; 2]> = None;
-        for first in (0..wheel.count as usize).step_by(FOUR) {
-            let line = turned.line_of_contact(&wheel.points::<F::Four>(|i| first + i));
-            let [_, across, _] = &line.place;
-            for i in (0..FOUR).take(wheel.count as usize - first) {
-                let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));
-                if !(line.can_touch.lane(i) > F::zero()) {
-                    continue;
-                }
-                // the piece of the rail below
-                while y_of(k + 2).is_some() && y_of(k + 1).is_some_and(|next| next <= y) {
-                    k += 1;
-                }
-                while k > 0 && y_of(k).is_some_and(|from| from > y) {
-                    k -= 1;
-                }
-                let (Some(from), Some(to)) = (rail.point(k), rail.point(k + 1)) else { continue };
-                let share = (y - from.y) / (to.y - from.y);
-                if share >= F::zero() && share <= F::one() {
-                    let left = from.z + (to.z - from.z) * share - below;
-                    if least.is_none_or(|[least, _]| left < least) {
-                        least = Some([left, from.cosine]);
-                    }
+        let (first, mut k) = (FOUR * group, *piece);
+        let line = turned.line_of_contact(&wheel.points::<F::Four>(|i| first + i));
+        let [_, across, _] = &line.place;
+        for i in (0..FOUR).take(wheel.count as usize - first) {
+            let (y, below) = (position.lateral + across.lane(i), line.below.lane(i));
+            if !(line.can_touch.lane(i) > F::zero()) {
+                continue;
+            }
+            while y_of(k + 2).is_some() && y_of(k + 1).is_some_and(|next| next <= y) {
+                k += 1;
+            }
+            while k > 0 && y_of(k).is_some_and(|from| from > y) {
+                k -= 1;
+            }
+            let (Some(from), Some(to)) = (rail.point(k), rail.point(k + 1)) else { continue };
+            let share = (y - from.y) / (to.y - from.y);
+            if share >= F::zero() && share <= F::one() {
+                let left = from.z + (to.z - from.z) * share - below;
+                if least.is_none_or(|[least, _]| left < least) {
+                    *least = Some([left, from.cosine]);
                 }
             }
         }
-        least
+        *piece = k;
     }
 }
