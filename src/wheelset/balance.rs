@@ -32,8 +32,10 @@ const LARGEST_HEIGHT_STEP: f64 = 1e-4;
 /// the first bound, and the second times the root of the moment.
 const LOOSE: f64 = 0.05;
 const BY_ROOT: f64 = 0.1;
-/// Steps of the heights below these roundings of the radius end, if the rest is below this share.
+/// Steps of the heights below these roundings of the radius end, if the rest is below these
+/// roundings of the load, and below this share of it.
 const HEIGHT_ROUNDINGS: f64 = 64.0;
+const LOAD_ROUNDINGS: f64 = 1e7;
 const REST_LEFT: f64 = 0.01;
 
 /// A wheelset under loads.
@@ -97,7 +99,7 @@ impl<F: Float> Loaded<'_, '_, F> {
     }
 
     /// `r`.
-    fn rest_of(&self, forces: &WheelsetForces<F>) -> [F; 3] {
+    pub(super) fn rest_of(&self, forces: &WheelsetForces<F>) -> [F; 3] {
         let [vertical, roll, pitch] = self.loads;
         let [_, _, down, over, about, _] = forces.wrench.members();
         let [by_down, by_over, by_about] = self.scales();
@@ -178,15 +180,19 @@ impl<F: Float> Loaded<'_, '_, F> {
     }
 
     /// Balances vertical force and roll moment at the pitch rate of a state: exactly, or as well as
-    /// the moment about the axle needs it.
+    /// the moment about the axle needs it. If one wheel may be lifted, also far from the state.
     ///
     /// # Errors
     /// [`Error::WheelLifted`] where no heights balance them; those of [`Wheelset::solve`].
     pub fn balanced_at(
         &mut self, state: &BodyState<F>, is_exact: bool,
     ) -> Result<Balance<F>, Error> {
-        let first = self.at(state)?;
-        self.balanced(first, is_exact)
+        let found = self.at(state).and_then(|first| self.balanced(first, is_exact));
+        if found.is_ok() || !self.may_lift {
+            return found;
+        }
+        let near = self.rolled(state)?;
+        self.at(&near).and_then(|first| self.balanced(first, is_exact))
     }
 
     /// Changes the pitch rate of a balance and lets the heights follow; by less where they would
@@ -214,8 +220,8 @@ impl<F: Float> Loaded<'_, '_, F> {
                 return Ok(here);
             }
             let Some(next) = self.closer(&here) else {
-                let is_close =
-                    here.rest < F::of(REST_LEFT) && self.is_rounding(&here, HEIGHT_ROUNDINGS);
+                let most = F::EPSILON.times(LOAD_ROUNDINGS).min(F::of(REST_LEFT));
+                let is_close = here.rest < most && self.is_rounding(&here, HEIGHT_ROUNDINGS);
                 Error::WheelLifted.unless(is_close)?;
                 return self.at(&here.state);
             };

@@ -70,6 +70,7 @@ mod balance;
 pub mod conicity;
 pub mod forces;
 pub mod kinematics;
+mod lifted;
 pub mod settle;
 pub mod track;
 

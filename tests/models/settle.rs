@@ -176,3 +176,26 @@ fn falling_friction_carries_a_torque_up_to_its_crest() {
     }
     assert_eq!(carried(-most * 1.02).unwrap_err(), Error::ForceBeyondFriction);
 }
+
+/// Where the flange climbs, one wheel carries all, and the other one is lifted. The carrying wheel
+/// rolls with the wheelset until its force passes the wheelset's centre.
+#[test]
+fn a_wheelset_that_climbs_settles() {
+    let loads = WheelsetLoads { vertical: 100e3, roll: 0.0, pitch: 0.0 };
+    let mut lifted = 0;
+    for k in 0..30 {
+        let place = at(6.0e-3 + 5e-5 * f64::from(k), 0.0);
+        let found = inclined().balance(&place, &ROLLS, &loads);
+        let contacts = found.forces.wheel.map(|wheel| wheel.contacts);
+        lifted += u32::from(contacts.contains(&0));
+        // a left wheel on the mirror image does the same
+        let mirrored = at(-place.lateral, 0.0);
+        let other = inclined().balance(&mirrored, &ROLLS, &loads);
+        assert_relative_eq!(other.state.position.roll, -found.state.position.roll, epsilon = 1e-9);
+    }
+    assert!((5..12).contains(&lifted), "{lifted}");
+    // next to the shift at which both wheels touch again
+    for k in 0..12 {
+        inclined().balance(&at(6.69e-3 + 1e-5 * f64::from(k), 0.0), &ROLLS, &loads);
+    }
+}
