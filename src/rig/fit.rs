@@ -9,8 +9,9 @@
 //! (H + λ diag H) δ = −g,   H = Σ w ∂F/∂p ∂F/∂pᵀ,   g = Σ w (F − F_measured) ∂F/∂p
 //! ```
 //!
-//! Of several minima, the least one that is reached from several places is the result. A warning
-//! names another minimum whose residual is at most 1 per cent larger.
+//! The search begins at the given law and at laws that are spread over the usual ranges, of each
+//! dozen the one with the least sum, until exact points are met. Of several minima the least one is
+//! the result. A warning names another minimum whose residual is at most 1 per cent larger.
 //!
 //! A parameter that a step would lead beyond its bounds ends there, and stays as long as the sum
 //! falls outward. With `m` forces and `n` parameters the standard errors are the roots of the
@@ -30,19 +31,17 @@ use nalgebra::{Matrix6, Vector6};
 const MOST_EVALUATIONS: usize = 80;
 /// The same from the least minimum, if it has not been reached.
 const MOST_AT_THE_END: usize = 1000;
-/// Starts besides the given one: friction divided by the largest share of the load that was
-/// measured, and the others in the units of the parameters.
-const START_PARAMETERS: [[f64; 6]; 9] = [
-    [1.05, 0.5, 1.0, 0.5, 0.5, 1.0],
-    [1.05, 0.5, 0.5, 0.1, 0.8, 0.1],
-    [1.2, 0.3, 0.5, 0.3, 0.95, 10.0],
-    [1.05, 0.6, 0.2, 0.6, 0.5, 0.1],
-    [1.1, 0.8, 5.0, 0.2, 0.2, 10.0],
-    [1.6, 0.2, 1.0, 0.1, 0.5, 1.0],
-    [1.05, 0.3, 2.0, 0.05, 0.15, 1.0],
-    [1.1, 0.5, 0.5, 0.95, 0.7, 1.0],
-    [1.7, 0.6, 1.0, 0.06, 0.12, 1.0],
-];
+/// Starts besides the given one, and how many sets of parameters are compared for each.
+const STARTS: usize = 9;
+const COMPARED: usize = 12;
+/// Ranges of these parameters: friction divided by the largest share of the load that was measured,
+/// and the others in their units; and the power by which small ones are preferred.
+const RANGES: [[f64; 2]; 6] =
+    [[1.02, 2.5], [0.05, 0.95], [0.05, 10.0], [0.03, 1.0], [0.1, 1.0], [0.01, 30.0]];
+const PREFERENCE: [usize; 6] = [2, 1, 3, 2, 1, 3];
+/// Powers of 1/1.112776, the root of `x⁷ = x + 1`: the fractions of their multiples fill six
+/// dimensions evenly (M. Roberts's sequence).
+const FRACTIONS: [f64; 6] = [0.898_654, 0.807_578, 0.725_733, 0.652_183, 0.586_087, 0.526_689];
 /// Sum of a minimum divided by that of the least one, up to which the residual is as good: 1.01
 /// squared.
 const AS_GOOD: f64 = 1.0201;
@@ -315,16 +314,12 @@ impl<'a, F: Float> Fit<'a, F> {
         let rounding = self.exact_rest();
         let mut best = self.minimum(&given, MOST_EVALUATIONS);
         let mut is_alone = true;
-        for start in START_PARAMETERS {
+        let mut shares = [F::zero(); 6];
+        for _ in 0..STARTS {
             if best.as_ref().is_ok_and(|best| best.sums.total <= rounding) {
                 break;
             }
-            let mut start = Vector6::from(start.map(F::of));
-            start
-                .iter_mut()
-                .take(1)
-                .for_each(|friction| *friction = *friction * self.measured.used);
-            let start = given.zip_zip_map(&self.fitted, &start, choose);
+            let Some(start) = self.promising_start(&given, &mut shares) else { continue };
             let Ok(other) = self.minimum(&start, MOST_EVALUATIONS) else { continue };
             let Ok(found) = best else {
                 best = Ok(other);
@@ -345,6 +340,35 @@ impl<'a, F: Float> Fit<'a, F> {
         }
         let end = self.minimum(&best.at, MOST_AT_THE_END)?;
         Ok(self.result(&Minimum { steps: best.steps + end.steps, ..end }, is_alone))
+    }
+
+    /// The parameters with the least sum among several that are spread over their ranges; members
+    /// that are not fitted keep the given values. `shares` are the last ones that were tried, in
+    /// parts of the ranges. None if no sum exists.
+    fn promising_start(&self, given: &Vector6<F>, shares: &mut [F; 6]) -> Option<Vector6<F>> {
+        let fractions = FRACTIONS.map(F::of);
+        let ranges = RANGES.map(|[low, high]| [F::of(low), F::of(high - low)]);
+        let mut best: Option<(F, Vector6<F>)> = None;
+        for _ in 0..COMPARED {
+            for (share, fraction) in shares.iter_mut().zip(fractions) {
+                let turns = *share + fraction;
+                *share = if turns < F::one() { turns } else { turns - F::one() };
+            }
+            let mut start = [F::zero(); 6];
+            let tried = start.iter_mut().zip(&*shares).zip(ranges.into_iter().zip(PREFERENCE));
+            for ((start, share), ([low, width], powers)) in tried {
+                let share = core::iter::repeat_n(*share, powers).fold(F::one(), |x, by| x * by);
+                *start = low + width * share;
+            }
+            let mut start = Vector6::from(start);
+            start.x = start.x * self.measured.used;
+            let start = given.zip_zip_map(&self.fitted, &start, choose);
+            let Ok(sums) = self.sums(&start) else { continue };
+            if best.is_none_or(|(least, _)| sums.total < least) {
+                best = Some((sums.total, start));
+            }
+        }
+        best.map(|(_, start)| start)
     }
 
     /// What is left of the sum at the minimum of exact points.

@@ -407,6 +407,51 @@ fn the_start_of_a_fit_does_not_matter() {
     assert!(exact * 2 > cases);
 }
 
+/// Exact points next to whose law there is a local minimum of the residual.
+#[test]
+fn a_local_minimum_is_left() {
+    let of_1967 = Options { model: Model::Strip1967, ..Options::default() };
+    let contact = |[a, b, normal_force]: [f64; 3]| Contact { a, b, normal_force, ..LOCOMOTIVE };
+    for (options, contact, [from, angle], count, truth, start, fitted) in [
+        (
+            of_1967,
+            contact([7.06174e-3, 7.19966e-3, 77_055.4]),
+            [5.130_46e-5, 2.166_952_8],
+            21,
+            SlipFriction {
+                slide_factor: 0.438_883,
+                ..falling(0.129_360_3, 0.747_327, 1.179_543, 24.269_94, 0.290_335)
+            },
+            SlipFriction { slide_factor: 0.1965, ..falling(8.748_57, 1.0, 1e3, 24.269_94, 1.0) },
+            TWO,
+        ),
+        (
+            total(),
+            contact([2.92771e-3, 2.84759e-3, 73_218.0]),
+            [2.0974e-4, 1.987_620_3],
+            18,
+            falling(0.059_884_9, 0.659_704, 2.429_919, 24.438_31, 0.102_1),
+            falling(7.114_88e-3, 0.659_704, 64.9925, 24.438_31, 9.016_45e-4),
+            [true, false, true, true, false, false],
+        ),
+    ] {
+        let growth = (0.05_f64 / from).powf(1.0 / f64::from(count - 1));
+        let points: Vec<_> = (0..count)
+            .map(|i| {
+                let size = from * growth.powi(i);
+                let motion = creep(size * angle.cos(), size * angle.sin(), 0.0);
+                let found = friction::solve_with_law(&contact, &motion, &truth, &options).unwrap();
+                let Solution { fx, fy, .. } = found.solution;
+                measured_force(motion, [fx, fy], 3)
+            })
+            .collect();
+        let found = fit_friction(&contact, &points, &start, fitted, &options).unwrap();
+        assert_eq!(found.warning, Warning::None);
+        assert_relative_eq!(found.law.friction, truth.friction, max_relative = 1e-6);
+        assert_relative_eq!(found.law.decay, truth.decay, max_relative = 1e-6);
+    }
+}
+
 /// Points that lie above any law end at its bound, and a warning names that.
 #[test]
 fn a_bound_is_named() {
