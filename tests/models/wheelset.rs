@@ -610,8 +610,8 @@ fn rollers_push_a_yawed_wheelset_farther() {
     assert_relative_eq!(on_roller, expected, max_relative = 1e-3);
 }
 
-/// Over a climbing flange there is no balance from the place where the other wheel has lost its
-/// load to that where it carries again, and a status says so everywhere between.
+/// While the flange of one wheel climbs, the other wheel is lifted from the place where it has lost
+/// its load to that where it carries again: the flange alone balances load and moment.
 #[test]
 fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
     let mut stand = Stand::new_profiles();
@@ -619,18 +619,15 @@ fn a_wheel_lifts_over_the_whole_climb_of_the_other() {
     let mut carried = Vec::new();
     for k in [61, 64, 66, 70, 74, 78, 82, 86, 88, 89] {
         let lateral = -1e-4 * f64::from(k);
-        match stand.settle(&at(lateral, 0.01), &ROLLS, &loads) {
-            Ok(found) => {
-                let [[_, _, right], [_, _, left]] = found.forces.rail;
-                assert_relative_eq!(right + left, 160e3, max_relative = 1e-6);
-                assert!(found.forces.wrench.moment[0].abs() < 1e-6 * 160e3, "{lateral}");
-                assert!(found.warning != Warning::NotConverged, "{lateral}");
-                carried.push((k, right));
-            }
-            Err(error) => assert_eq!(error, Error::WheelLifted, "{lateral}"),
-        }
+        let found = stand.settle(&at(lateral, 0.01), &ROLLS, &loads).unwrap();
+        let [[_, _, right], [_, _, left]] = found.forces.rail;
+        assert_relative_eq!(right + left, 160e3, max_relative = 1e-6);
+        assert!(found.forces.wrench.moment[0].abs() < 1e-6 * 160e3, "{lateral}");
+        assert!(found.warning != Warning::NotConverged, "{lateral}");
+        carried.push((k, right));
     }
-    let places: Vec<i32> = carried.iter().map(|(k, _)| *k).collect();
-    assert_eq!(places, [61, 64, 89]);
-    assert!(carried.iter().all(|(_, right)| *right > -1.0), "{carried:?}");
+    let lifted: Vec<i32> =
+        carried.iter().filter(|(_, right)| *right == 0.0).map(|(k, _)| *k).collect();
+    assert_eq!(lifted, [64, 66, 70, 74, 78, 82, 86, 88, 89], "{carried:?}");
+    assert!(carried.iter().all(|(_, right)| *right >= 0.0), "{carried:?}");
 }
