@@ -1,6 +1,6 @@
 /*
  * Hunting: a wheelset, held by springs in a frame that runs at constant speed, moves sideways and yaws. Above the critical speed it
- * swings up to a limit cycle. Trapezoidal rule, Newton's method with the derivatives of kstrip_evaluate(). docs/hosts.md derives its
+ * swings up to a limit cycle. Trapezoidal rule, Newton's method with the derivatives of kstrip_evaluate(). docs/reference/hosts.md derives its
  * creepages in "A wheelset worked out by hand".
  *   cc -std=c99 -Iinclude c_examples/05_hunting.c target/lib/libkstrip.a -lm -o hunting
  */

@@ -5,7 +5,7 @@
  *   cc -std=c99 -O2 -Iinclude c_examples/12_bogie.c target/lib/libkstrip.a -lm -o bogie && ./bogie tests/data/wheel_rail [hunt|curve|brake|lift]
  *
  * One rule integrates all of it: the backward differentiation formula of second order, linearly implicit with the derivatives D and K
- * of the forces Q with respect to velocities and places (docs/integration.md). One evaluation a step:
+ * of the forces Q with respect to velocities and places (docs/guide/6-vehicle.md). One evaluation a step:
  *     (3/(2 h) M - D - (2 h/3) K) (change of u) = Q + M u'/2 + K ((change of q before)/3 + (2 h/3) u),   u' = (change of u before)/h
  */
 #include "kstrip.h"

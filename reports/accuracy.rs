@@ -1,6 +1,6 @@
 //! Compares every model, and the other methods of `benches/peers`, with the reference data:
-//! `cargo bench --bench accuracy` writes `docs/reference/accuracy.md` and the pictures in
-//! `docs/reference/accuracy/`. The same build writes the same files, byte by byte.
+//! `cargo bench --bench accuracy` writes `docs/evidence/accuracy.md` and the pictures in
+//! `docs/evidence/accuracy/`. The same build writes the same files, byte by byte.
 
 #[path = "accuracy/feel.rs"]
 mod feel;
@@ -1014,7 +1014,7 @@ fn coefficient_picture(path: &Path) -> Drawn {
 }
 
 fn main() -> Drawn {
-    let docs = root().join("docs/reference");
+    let docs = root().join("docs/evidence");
     let folder = docs.join("accuracy");
     std::fs::create_dir_all(&folder)?;
     let mut report = Report::compute();
@@ -1049,6 +1049,6 @@ fn main() -> Drawn {
     field_picture(&folder.join("fields.svg"))?;
     coefficient_picture(&folder.join("coefficients.svg"))?;
     bar.finish_and_clear();
-    println!("wrote docs/reference/accuracy.md and docs/reference/accuracy/*.svg");
+    println!("wrote docs/evidence/accuracy.md and docs/evidence/accuracy/*.svg");
     Ok(())
 }

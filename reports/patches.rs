@@ -1,6 +1,6 @@
 //! Compares patches of profiles, of given strips, of friction in bands and of falling friction with
-//! CONTACT: `cargo bench --bench patches` writes `docs/patches.md` and the pictures in
-//! `docs/patches/`. The same build writes the same files, byte by byte.
+//! CONTACT: `cargo bench --bench patches` writes `docs/evidence/patches.md` and the pictures in
+//! `docs/evidence/patches/`. The same build writes the same files, byte by byte.
 //! `cargo bench --bench patches -- cost` prints what patches cost here.
 
 #[path = "common/clock.rs"]
@@ -710,7 +710,7 @@ fn main() {
         print_costs();
         return;
     }
-    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/evidence");
     let list: Vec<Compared> = profiles().into_iter().map(Compared::new).collect();
     let mut report = Report(String::new());
     report.line(include_str!("patches/introduction.txt").trim_end().replace("OUTPUT", &output()));

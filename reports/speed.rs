@@ -1,5 +1,5 @@
 //! What a call costs, and what it is worth: `cargo bench --bench speed` writes
-//! `docs/reference/speed-vs-error.md` and `docs/reference/speed-vs-error.svg`.
+//! `docs/evidence/speed-vs-error.md` and `docs/evidence/speed-vs-error.svg`.
 //!
 //! Every model through the C interface and every method of `benches/peers`: nanoseconds (median of
 //! rounds that take turns) and errors against CONTACT, all in one run.
@@ -555,8 +555,8 @@ fn main() -> Drawn {
         return Ok(());
     }
     let marks: Vec<Mark> = report.rows.iter().filter_map(|row| report.mark(row)).collect();
-    std::fs::write(root().join("docs/reference/speed-vs-error.md"), &report.text)?;
-    plot::draw(&root().join("docs/reference/speed-vs-error.svg"), &marks)?;
-    println!("wrote docs/reference/speed-vs-error.md and docs/reference/speed-vs-error.svg");
+    std::fs::write(root().join("docs/evidence/speed-vs-error.md"), &report.text)?;
+    plot::draw(&root().join("docs/evidence/speed-vs-error.svg"), &marks)?;
+    println!("wrote docs/evidence/speed-vs-error.md and docs/evidence/speed-vs-error.svg");
     Ok(())
 }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs into a temporary prefix and builds and runs separate C and C++ projects against it, by
-# pkg-config and by CMake; compares what both libraries export with docs/reference/abi.txt, and what
+# pkg-config and by CMake; compares what both libraries export with docs/maintain/abi.txt, and what
 # they need with a few names of libc.
 # What could not be tried is a line with SKIPPED.
 set -euo pipefail
@@ -34,13 +34,13 @@ library=$prefix/lib/libkstrip.so
 export LD_LIBRARY_PATH=$prefix/lib DYLD_LIBRARY_PATH=$prefix/lib
 
 # ---- What leaves the library ---------------------------------------------------------------
-# The committed interface: docs/reference/abi.txt, which tests/interface/binary_interface.rs
+# The committed interface: docs/maintain/abi.txt, which tests/interface/binary_interface.rs
 # compares with the header.
-sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/reference/abi.txt | sort > "$work/committed"
+sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/maintain/abi.txt | sort > "$work/committed"
 if has nm && [ "$(uname -s)" != Darwin ]; then
     nm -D --defined-only "$library" | awk '{ print $NF }' | sort > "$work/exported"
     diff "$work/committed" "$work/exported" ||
-        fail "the library does not export what docs/reference/abi.txt lists (< listed, > exported)"
+        fail "the library does not export what docs/maintain/abi.txt lists (< listed, > exported)"
     if grep -v '^kstrip_' "$work/exported"; then fail "these symbols are not ours"; fi
     undefined=$(nm -D --undefined-only "$library" | awk '$1 == "U" { sub(/@.*/, "", $2); print $2 }' | sort | tr '\n' ' ')
     for symbol in $undefined; do
@@ -62,7 +62,7 @@ if has nm && [ "$(uname -s)" != Darwin ]; then
     # The archive: everything that a linker can see is the interface; no cbrt, fma or sqrt that is
     # not the platform's.
     nm "$prefix/lib/libkstrip.a" | awk 'NF == 3 && $2 ~ /^[A-TV-Zuvw]$/ { print $3 }' | sort | diff "$work/committed" - ||
-        fail "the archive does not show what docs/reference/abi.txt lists (< listed, > shown)"
+        fail "the archive does not show what docs/maintain/abi.txt lists (< listed, > shown)"
     for symbol in $(nm "$prefix/lib/libkstrip.a" | awk '$1 == "U" { print $2 }'); do
         case $symbol in
             memcpy|memmove|memset|memcmp|bcmp|_GLOBAL_OFFSET_TABLE_) ;;

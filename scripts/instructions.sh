@@ -2,7 +2,7 @@
 # Instructions per call of the C interface, counted by callgrind (valgrind), which are the same in
 # every run of one build, however busy the machine is.
 #
-#   scripts/instructions.sh          writes benches/instructions.txt and the table in docs/reference/instructions.md; docs/models.md has
+#   scripts/instructions.sh          writes benches/instructions.txt and the table in docs/evidence/instructions.md; docs/evidence/models.md has
 #                                    two columns of it (`cargo test --test builds prose` prints its rows), and its picture is drawn by
 #                                    `cargo bench --bench figures`
 #   scripts/instructions.sh --check  fails when a count has grown by more than 3 %
@@ -95,5 +95,5 @@ table=$(awk '
 awk -v table="$table" '
     /<!-- instructions:begin -->/ { print; print table; skip = 1 }
     /<!-- instructions:end -->/ { skip = 0 }
-    !skip' docs/reference/instructions.md > docs/instructions.new && mv docs/instructions.new docs/reference/instructions.md
+    !skip' docs/evidence/instructions.md > docs/instructions.new && mv docs/instructions.new docs/evidence/instructions.md
 echo "$table"

@@ -2,7 +2,7 @@
 # Compiles and runs the C program of a page of the documentation: its blocks of C, in their order.
 #
 #     make                              once: the library in target/lib
-#     sh scripts/page.sh docs/hosts.md
+#     sh scripts/page.sh docs/reference/hosts.md
 #
 # Lines that begin with # stand at the head of the program, all others in main(). The tests build
 # the same program.

@@ -31,7 +31,7 @@ library() {
     echo "$target/$1/$host/release/libkstrip.a"
 }
 
-# Every program of the repository, and the one that the test of docs/reference/bad-input.md writes,
+# Every program of the repository, and the one that the test of docs/maintain/bad-input.md writes,
 # if it has run.
 programs=()
 for source in c_examples/[0-9]*.c tests/c/*.c; do
@@ -43,7 +43,7 @@ for source in c_examples/[0-9]*.c tests/c/*.c; do
 done
 written=$(ls -t "${CARGO_TARGET_DIR:-target}"/tmp/bad_input.c 2> /dev/null | head -1 || true)
 [ -n "$written" ] && programs+=("$written") \
-    || echo "SKIPPED: the calls of docs/reference/bad-input.md: run cargo test --test interface bad_input first"
+    || echo "SKIPPED: the calls of docs/maintain/bad-input.md: run cargo test --test interface bad_input first"
 
 # each LABEL COMPILER FLAGS LIBRARY RUNNER: compile, run, and stop at the first report
 each() {

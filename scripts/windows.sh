@@ -25,10 +25,10 @@ TARGET=$triple CARGO_TARGET_DIR="$target" sh scripts/library.sh
 library=$target/$triple/lib
 
 # Exported names, and what DLL and archive need
-sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/reference/abi.txt | sort > "$work/committed"
+sed -n 's/^function [^(]*[ *]\(kstrip_[a-z0-9_]*\)(.*/\1/p' docs/maintain/abi.txt | sort > "$work/committed"
 x86_64-w64-mingw32-objdump -p "$library/kstrip.dll" > "$work/dump"
 awk '/Ordinal.Name Pointer. Table/ { inside = 1; next } inside && NF == 0 { exit } inside { print $NF }' "$work/dump" | sort | diff "$work/committed" - ||
-    fail "the DLL does not export what docs/reference/abi.txt lists (< listed, > exported)"
+    fail "the DLL does not export what docs/maintain/abi.txt lists (< listed, > exported)"
 x86_64-w64-mingw32-nm "$library/libkstrip.a" | awk '$1 == "U" { print $2 }' | grep -vxE 'memcpy|memmove|memset|memcmp|___chkstk_ms' &&
     fail "the archive needs these"
 echo "kstrip.dll: $(wc -l < "$work/committed") symbols, all kstrip_*; needs $(sed -n 's/.*DLL Name: //p' "$work/dump" | paste -sd' ')"

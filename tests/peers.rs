@@ -129,11 +129,11 @@ impl Measured {
         self
     }
 
-    /// The survey's maximum, missed by more than a fifth: docs/reference/accuracy.md says so.
+    /// The survey's maximum, missed by more than a fifth: docs/evidence/accuracy.md says so.
     fn missed(self, other: f64) {
         let [.., most] = self.figures;
         assert!((most / other - 1.0).abs() > 0.2, "{}: {most} meets {other}", self.name);
-        assert_told("docs/reference/accuracy.md", &format!("{most:.4} against {other}"));
+        assert_told("docs/evidence/accuracy.md", &format!("{most:.4} against {other}"));
     }
 }
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/python.md and docs/adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
+"""Writes the pictures of docs/start/python.md and docs/guide/7-adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """
@@ -86,8 +86,8 @@ def measured_curve():
 
 
 def crossing():
-    """The picture of docs/crossing.md, by the program of that page."""
-    program = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "crossing.md").read_text(encoding="utf-8"), re.S)[0]
+    """The picture of docs/cookbook/crossing.md, by the program of that page."""
+    program = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "cookbook" / "crossing.md").read_text(encoding="utf-8"), re.S)[0]
     names = {}
     os.chdir(ROOT)
     exec(program, names)

@@ -166,7 +166,7 @@ fn draw_traction_map(folder: &Path) -> Drawn {
 fn draw_models(folder: &Path) -> Drawn {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let counts = std::fs::read_to_string(root.join("benches/instructions.txt"))?;
-    let report = std::fs::read_to_string(root.join("docs/reference/accuracy.md"))?;
+    let report = std::fs::read_to_string(root.join("docs/evidence/accuracy.md"))?;
     let mean = |method: &str| -> Result<f64, Box<dyn std::error::Error>> {
         let start = format!("| {method} | ");
         let row = report.lines().find_map(|line| line.strip_prefix(&start)).ok_or("no row")?;

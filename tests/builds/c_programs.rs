@@ -740,7 +740,7 @@ fn rust_layouts() -> BTreeMap<String, usize> {
     layouts.into_iter().map(c_name).collect()
 }
 
-/// What the header says by the rule of natural alignment: the numbers of `docs/reference/abi.txt`.
+/// What the header says by the rule of natural alignment: the numbers of `docs/maintain/abi.txt`.
 fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
     let mut numbers = BTreeMap::from([("size kstrip_status".to_owned(), 4)]);
     let layouts = declared.layouts();
@@ -755,7 +755,7 @@ fn layouts_of_header(declared: &Declared) -> BTreeMap<String, usize> {
 }
 
 /// Sizes and offsets of every structure: as C prints them, as Rust has them, as
-/// `docs/reference/abi.txt` has them.
+/// `docs/maintain/abi.txt` has them.
 #[test]
 fn structures_have_one_layout() {
     let declared = declared();
@@ -858,7 +858,7 @@ fn threads_and_rust_see_the_same_bits() {
 #[test]
 #[cfg(all(target_arch = "x86_64", target_os = "linux"))]
 fn calls_need_the_stack_that_the_page_says() {
-    let page = read("docs/building.md");
+    let page = read("docs/reference/building.md");
     let row = |line: &str| {
         let (name, rest) = line.strip_prefix("| `")?.split_once("` | ")?;
         Some((name.to_owned(), rest.strip_suffix(" |")?.parse::<f64>().ok()?))

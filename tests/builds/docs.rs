@@ -119,7 +119,7 @@ fn every_block_says_its_language() {
 /// Eight recipes of at most 40 lines of code, each with its output.
 #[test]
 fn the_cookbook_has_eight_short_recipes() {
-    let page = root().join("docs/cookbook.md");
+    let page = root().join("docs/cookbook/contact.md");
     let text = read(&page);
     assert_eq!(text.lines().filter(|line| line.starts_with("## ")).count(), 8);
     let blocks = blocks(&page);
@@ -254,7 +254,7 @@ fn names(page: &Path) -> Vec<String> {
 /// have.
 #[test]
 fn theory_names_functions_that_exist() {
-    for (page, least) in [("docs/theory.md", 60), ("docs/architecture.md", 30)] {
+    for (page, least) in [("docs/maintain/theory.md", 60), ("docs/maintain/architecture.md", 30)] {
         let mut count = 0;
         for name in names(&root().join(page)) {
             if !name.contains("::") {
@@ -301,7 +301,7 @@ fn theory_has_every_equation_of_the_paper() {
         (8, &[2, 14, 26, 28, 29, 31, 32, 33, 34, 36, 38, 39, 43]),
         (9, &[]),
     ];
-    let page = read("docs/theory.md");
+    let page = read("docs/maintain/theory.md");
     for (chapter, numbers) in EQUATIONS {
         for number in numbers {
             let equation = format!("({chapter}.{number})");
@@ -309,7 +309,7 @@ fn theory_has_every_equation_of_the_paper() {
         }
     }
     let mut sources = files_below("src", &["rs"]);
-    sources.push(root().join("docs/theory.md"));
+    sources.push(root().join("docs/maintain/theory.md"));
     assert!(sources.len() > 60, "{}", sources.len());
     for file in sources {
         let text = read(&file);
@@ -325,7 +325,7 @@ fn pages_name_what_the_headers_have() {
         ["KSTRIP_MODEL_", "KSTRIP_ERROR_", "KSTRIP_WARNING_", "KSTRIP_STATE_", "KSTRIP_MEASURED_"];
     // What was: a changelog; measurements say of which sources they are
     const OTHERS: [&str; 3] =
-        ["CHANGELOG.md", "docs/reference/embedded.md", "docs/reference/speed-vs-error.md"];
+        ["CHANGELOG.md", "docs/reference/embedded.md", "docs/evidence/speed-vs-error.md"];
     let headers = read("include/kstrip.h") + &read("include/kstrip_f32.h");
     let words: BTreeSet<&str> =
         headers.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
@@ -490,9 +490,9 @@ fn pages_are_short() {
 #[test]
 fn pages_of_reports_have_the_texts_of_their_reports() {
     for (page, texts) in [
-        ("docs/patches.md", ["patches/introduction", "patches/limits"].as_slice()),
+        ("docs/evidence/patches.md", ["patches/introduction", "patches/limits"].as_slice()),
         (
-            "docs/reference/accuracy.md",
+            "docs/evidence/accuracy.md",
             &["accuracy/introduction", "accuracy/feel", "accuracy/reference"],
         ),
     ] {
@@ -528,14 +528,18 @@ fn one_command_draws_every_picture() {
 /// them in this order.
 #[test]
 fn the_pages_of_a_reader_have_an_order() {
-    const PAGES: &str =
-        "tour models wheel-rail wheelset integration adhesion hosts cookbook cookbook-track";
+    const PAGES: &str = "guide/2-contact evidence/models guide/4-wheel guide/5-wheelset \
+        guide/6-vehicle guide/7-adhesion reference/hosts cookbook/contact cookbook/track";
     let order: Vec<&str> = PAGES.split(' ').collect();
     for pair in order.windows(2) {
         let text = read(format!("docs/{}.md", pair[0]));
         let last = text.lines().next_back().expect("a line");
-        let next = format!("]({}.md).", pair[1]);
-        assert!(last.starts_with("Next: [") && last.ends_with(&next), "{}: {last}", pair[0]);
+        let next = format!("/{}.md).", pair[1].rsplit('/').next().expect("a name"));
+        assert!(
+            last.starts_with("Next: [") && last.replace("](", "](/").ends_with(&next),
+            "{}: {last}",
+            pair[0]
+        );
     }
     let readme = read("README.md");
     let list = readme.split("## Where next").nth(1).expect("the list of pages");
@@ -544,18 +548,18 @@ fn the_pages_of_a_reader_have_an_order() {
     assert!(places.is_sorted(), "{places:?}");
 }
 
-/// What is not modelled stands in one list: docs/models.md has it, and other pages link to it.
+/// What is not modelled is one list in docs/evidence/models.md. Other pages link to it.
 #[test]
 fn one_list_has_what_is_not_modelled() {
     const KINDS: [&str; 4] = ["Transient rolling", "memory", "Temperature", "30 degrees"];
-    let page = read("docs/models.md");
+    let page = read("docs/evidence/models.md");
     let list = page.split("## What is not modelled").nth(1).expect("the list");
     assert!(KINDS.iter().all(|kind| list.contains(kind)));
-    for page in pages().iter().filter(|page| !page.ends_with("docs/models.md")) {
+    for page in pages().iter().filter(|page| !page.ends_with("docs/evidence/models.md")) {
         let text = read(page);
         assert!(!text.contains("# What is not modelled"), "{}", page.display());
     }
-    for page in ["adhesion.md", "reference/other-programs.md", "patches.md"] {
+    for page in ["guide/7-adhesion.md", "reference/other-programs.md", "evidence/patches.md"] {
         assert!(read(format!("docs/{page}")).contains("models.md#what-is-not-modelled"), "{page}");
     }
 }
@@ -573,7 +577,7 @@ fn pictures_stand_on_pages_and_have_a_background() {
         }
     }
     let mut pictures = 0;
-    for folder in ["figures", "patches", "reference", "reference/accuracy"] {
+    for folder in ["figures", "evidence", "evidence/patches", "evidence/accuracy"] {
         for picture in entries(&root().join("docs").join(folder)) {
             let picture = picture.canonicalize().expect("a path");
             if picture.extension().is_some_and(|extension| extension == "svg") {
@@ -591,7 +595,7 @@ fn pictures_stand_on_pages_and_have_a_background() {
 
 #[test]
 fn every_warning_has_its_place() {
-    let page = read("docs/reference/bad-input.md");
+    let page = read("docs/maintain/bad-input.md");
     let order = page.split("## Which warning is returned").nth(1).expect("the section");
     let header = read("include/kstrip.h");
     let mut count = 0;
@@ -664,7 +668,7 @@ fn short(x: f64, digits: usize) -> String {
 /// write.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
-    const REPORT: &str = "docs/reference/accuracy.md";
+    const REPORT: &str = "docs/evidence/accuracy.md";
     // Of every method: open.csv, validation, what a simulation feels (of LINEAR that alone bears
     // its plain name)
     let accuracy = |method: &str| -> Vec<Vec<f64>> {
@@ -683,7 +687,7 @@ fn errors_in_prose_are_those_of_the_report() {
     let both =
         |row: &[f64], digits| format!("{} / {}", short(row[0], digits), short(row[1], digits));
     let cost = |model: &str| {
-        let row = cells("docs/reference/instructions.md", "", model);
+        let row = cells("docs/evidence/instructions.md", "", model);
         // TOTAL and LINEAR have no strips: their only count stands in the column of 16
         format!("{} | {} |", row[2][0], row[5][0])
     };
@@ -695,11 +699,11 @@ fn errors_in_prose_are_those_of_the_report() {
     ] {
         let [force, slopes] = [both(&figures[0], digits), both(&figures[2], 3)];
         let row = format!("| {name} | {force} | {slopes} | {}", cost(model));
-        assert_told("docs/models.md", &row);
+        assert_told("docs/evidence/models.md", &row);
     }
     let [mean, p95] = [short(linear[0][0], 3), format!("{:.2}", linear[0][1])];
     let row = format!("| valid for small creepage | {mean} / {p95} | {}", cost("LINEAR"));
-    assert_told("docs/models.md", &row);
+    assert_told("docs/evidence/models.md", &row);
     // Mean errors of TOTAL and STRIP on slender contacts
     let slender = |what: &str, regions: &[&str]| {
         let of = |region: &&str| cells(REPORT, "## Slender contacts", &format!("a/b {region}"));
@@ -711,8 +715,8 @@ fn errors_in_prose_are_those_of_the_report() {
         });
         format!("| slender ellipses, {what} | {total} | {strip} |")
     };
-    let all = cells("docs/patches.md", "", "**all** | 30");
-    let real = cells("docs/patches.md", "", "**all** | 36");
+    let all = cells("docs/evidence/patches.md", "", "**all** | 30");
+    let real = cells("docs/evidence/patches.md", "", "**all** | 36");
     let [unlike_total, unlike_strip] =
         ["TOTAL", "STRIP"].map(|model| cells(REPORT, "## Unlike materials", model)[1][0]);
     let pair = |total: f64, strip: f64| format!("{} | {} |", short(total, 4), short(strip, 4));
@@ -727,7 +731,7 @@ fn errors_in_prose_are_those_of_the_report() {
         format!("real rails, with yaw | – | {} |", short(real[2][0], 4)),
         format!("what the mismatch adds | {}", pair(unlike_total, unlike_strip)),
     ] {
-        assert_told("docs/models.md", &text);
+        assert_told("docs/evidence/models.md", &text);
     }
     let others = "docs/reference/other-programs.md";
     assert_told(others, &format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)));
@@ -749,12 +753,12 @@ fn errors_in_prose_are_those_of_the_report() {
     }
 }
 
-/// The table of rounding in docs/reliability.md has the largest errors of
-/// docs/reference/numerics.md: forces, and derivatives without full sliding, in ordinary and in
+/// The table of rounding in docs/evidence/reliability.md has the largest errors of
+/// docs/evidence/rounding.md: forces, and derivatives without full sliding, in ordinary and in
 /// slender contacts; and those of patches from profiles.
 #[test]
 fn rounding_in_brief_is_that_of_the_page() {
-    let (page, brief) = (read("docs/reference/numerics.md"), read("docs/reliability.md"));
+    let (page, brief) = (read("docs/evidence/rounding.md"), read("docs/evidence/reliability.md"));
     let cell = |row: &str, column: usize| -> f64 {
         let cell = row.split('|').nth(column).expect("a cell");
         cell.rsplit('/').next().expect("the worst").trim().parse().expect("a number")
@@ -779,7 +783,7 @@ fn rounding_in_brief_is_that_of_the_page() {
             told(cell(slender, 3)),
             told(cell(slender, 6))
         );
-        assert!(brief.contains(&row), "docs/reliability.md: {row}");
+        assert!(brief.contains(&row), "docs/evidence/reliability.md: {row}");
     }
     let shapes = page.split("| shape |").nth(1).expect("the table of profiles");
     let rows: Vec<&str> = shapes.lines().skip(2).take_while(|line| line.starts_with('|')).collect();
@@ -794,7 +798,7 @@ fn rounding_in_brief_is_that_of_the_page() {
         worst(&[9]),
         worst(&[2, 3, 6, 7]).ceil()
     );
-    assert_told("docs/reliability.md", &text);
+    assert_told("docs/evidence/reliability.md", &text);
 }
 
 /// What derivatives cost, as told in the pages, is what the counts say.
@@ -802,7 +806,7 @@ fn rounding_in_brief_is_that_of_the_page() {
 fn costs_in_prose_are_those_of_the_counts() {
     const MODELS: [&str; 5] = ["STRIP_1967", "STRIP_1967_CONTINUOUS", "STRIP", "TOTAL", "LINEAR"];
     let [of_strips @ .., linear] = MODELS.map(|model| {
-        let row = cells("docs/reference/instructions.md", "", model);
+        let row = cells("docs/evidence/instructions.md", "", model);
         row[5][0] / row[2][0]
     });
     assert!(of_strips.iter().all(|ratio| (3.0..5.0).contains(ratio)), "{of_strips:?}");
@@ -817,7 +821,7 @@ fn costs_in_prose_are_those_of_the_counts() {
         format!("TOTAL takes {many} instructions a contact instead of {one}"),
         format!("they cost {least:.1} to {most:.1} times the forces"),
     ] {
-        assert_told("docs/models.md", &text);
+        assert_told("docs/evidence/models.md", &text);
     }
 }
 

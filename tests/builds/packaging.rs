@@ -74,7 +74,8 @@ fn no_dependency_needs_a_newer_rust_than_we_state() {
     // Where a build without cargo stops, and where its question is answered
     let version = format!("Rust {} or newer", env!("CARGO_PKG_RUST_VERSION"));
     assert!(
-        read("scripts/library.sh").contains(&version) && read("docs/faq.md").contains(&version)
+        read("scripts/library.sh").contains(&version)
+            && read("docs/guide/8-surprises.md").contains(&version)
     );
 }
 

@@ -144,7 +144,7 @@ impl Declared {
                     "double" => (8, 8),
                     "float" | "int32_t" | "uint32_t" | "kstrip_status" => (4, 4),
                     "ptrdiff_t" => (size_of::<usize>(), align_of::<usize>()),
-                    // of the machine that the test runs on; docs/reference/abi.txt has those of 64
+                    // of the machine that the test runs on; docs/maintain/abi.txt has those of 64
                     // bits
                     pointer if pointer.contains('*') => (size_of::<usize>(), align_of::<usize>()),
                     other => {
@@ -166,7 +166,7 @@ impl Declared {
         known
     }
 
-    /// The binary interface as text: `docs/reference/abi.txt`.
+    /// The binary interface as text: `docs/maintain/abi.txt`.
     pub fn interface(&self) -> String {
         let layouts = self.layouts();
         let mut text = String::new();
@@ -236,7 +236,7 @@ impl Declared {
         text + "    return 0;\n}\n"
     }
 
-    /// A C file that compiles only where structures have the layout of `docs/reference/abi.txt`.
+    /// A C file that compiles only where structures have the layout of `docs/maintain/abi.txt`.
     pub fn c_assertions(&self) -> String {
         let layouts = self.layouts();
         let mut text = "#include \"kstrip_f32.h\"\n".to_owned();

@@ -1,4 +1,4 @@
-//! Bad input gets the status that `docs/reference/bad-input.md` names, from C, with outputs
+//! Bad input gets the status that `docs/maintain/bad-input.md` names, from C, with outputs
 //! untouched.
 //!
 //! The C program that asks is written from the tables of that page and the declarations of the
@@ -51,7 +51,7 @@ fn covers(pattern: &str, name: &str) -> bool {
 }
 
 pub fn page() -> (BTreeMap<String, String>, Vec<Rule>) {
-    let texts = ["", "-wheelset"].map(|part| read(format!("docs/reference/bad-input{part}.md")));
+    let texts = ["", "-wheelset"].map(|part| read(format!("docs/maintain/bad-input{part}.md")));
     let rows = |heading| texts.iter().flat_map(move |text| table(text, heading));
     let good = rows("## Good arguments")
         .flat_map(|row| {
@@ -293,7 +293,7 @@ impl<'a> Setup<'a> {
             let of_function = format!("{}.{name}", base(&function.name));
             let value = good.get(&of_function).or_else(|| good.get(base(name)));
             value.unwrap_or_else(|| {
-                panic!("docs/reference/bad-input.md: no good value for {name} of {}", function.name)
+                panic!("docs/maintain/bad-input.md: no good value for {name} of {}", function.name)
             })
         };
         let has_count =
@@ -544,7 +544,7 @@ fn bad_input_gets_its_status_and_outputs_stay() {
     }
     assert!(
         missing.is_empty(),
-        "docs/reference/bad-input.md has no line for:\n{}",
+        "docs/maintain/bad-input.md has no line for:\n{}",
         missing.join("\n")
     );
 }

@@ -70,7 +70,7 @@ fn committed_headers_are_current() {
     assert!(functions <= 56 && lines <= 3000, "{functions} functions, {lines} lines");
 }
 
-/// `docs/reference/abi.txt` and `tests/c/layout.rs` are written by the same command as the header.
+/// `docs/maintain/abi.txt` and `tests/c/layout.rs` are written by the same command as the header.
 /// A line that disappears is an incompatible change: it needs another `KSTRIP_ABI_VERSION`. While a
 /// version has not been released `KSTRIP_ABI_UNRELEASED=1` lets it change.
 #[test]
@@ -78,7 +78,7 @@ fn binary_interface_is_the_committed_one() {
     let declared = header::declared(&groups::headers(&generated()).concat());
     let interface = format!("{}\n{}", ABI_HEAD.trim(), declared.interface());
     let read = |path: &str| std::fs::read_to_string(root().join(path)).unwrap_or_default();
-    let committed = read("docs/reference/abi.txt");
+    let committed = read("docs/maintain/abi.txt");
     let version = |text: &str| {
         text.lines()
             .find(|line| line.starts_with("constant KSTRIP_ABI_VERSION "))
@@ -92,18 +92,18 @@ fn binary_interface_is_the_committed_one() {
     assert!(
         lost.is_empty() || allowed,
         "an incompatible change of the binary interface: raise KSTRIP_ABI_VERSION \
-         (docs/reference/abi.md), or set KSTRIP_ABI_UNRELEASED=1 as long as the version has not \
+         (docs/maintain/abi.md), or set KSTRIP_ABI_UNRELEASED=1 as long as the version has not \
          been released: {lost:#?}"
     );
     let list = declared.rust_list();
     if std::env::var_os("KSTRIP_WRITE_HEADER").is_some() {
-        std::fs::write(root().join("docs/reference/abi.txt"), &interface)
+        std::fs::write(root().join("docs/maintain/abi.txt"), &interface)
             .expect("docs/ is writable");
         std::fs::write(root().join("tests/c/layout.rs"), &list).expect("tests/c/ is writable");
     }
     assert!(
-        read("docs/reference/abi.txt") == interface && read("tests/c/layout.rs") == list,
-        "docs/reference/abi.txt or tests/c/layout.rs is not what the header says; \
+        read("docs/maintain/abi.txt") == interface && read("tests/c/layout.rs") == list,
+        "docs/maintain/abi.txt or tests/c/layout.rs is not what the header says; \
          run KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface"
     );
 }
@@ -111,7 +111,7 @@ fn binary_interface_is_the_committed_one() {
 const ABI_HEAD: &str = "
 # The binary interface, written and compared by
 # KSTRIP_WRITE_HEADER=1 cargo test --test interface binary_interface
-# Offsets and sizes in bytes. docs/reference/abi.md has the rules.
+# Offsets and sizes in bytes. docs/maintain/abi.md has the rules.
 ";
 
 #[test]

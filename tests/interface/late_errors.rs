@@ -2,7 +2,7 @@
 //! found late, after a part of the result was computed, leaves outputs untouched, and results are
 //! finite.
 //!
-//! The C program is written from the good arguments of `docs/reference/bad-input.md` and the
+//! The C program is written from the good arguments of `docs/maintain/bad-input.md` and the
 //! declarations of the header. It replaces each number of each argument by each of a list, and then
 //! several at once.
 

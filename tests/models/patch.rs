@@ -523,7 +523,7 @@ fn hard_inputs() {
     assert!(answers > 100);
 }
 
-/// What `docs/reference/bad-input.md` cannot say, because C has one capacity and its own order of
+/// What `docs/maintain/bad-input.md` cannot say, because C has one capacity and its own order of
 /// strips.
 #[test]
 fn patches_have_their_order_and_capacity() {

@@ -129,7 +129,7 @@ pub(crate) fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
 }
 
 /// The page on wheel and rail.
-pub(crate) const PAGE: &str = "docs/wheel-rail.md";
+pub(crate) const PAGE: &str = "docs/guide/4-wheel.md";
 
 /// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as
 /// CONTACT's: heights in um, forces divided by mu N, number of contacts. Beyond 30 degrees only
@@ -842,8 +842,8 @@ fn contacts_of_a_table_are_checked_where_they_count() {
     }
 }
 
-/// docs/models.md sends wheels to STRIP: the errors of both models on S1002, 1 mm from the middle
-/// of 60E1, are those of the page.
+/// docs/evidence/models.md sends wheels to STRIP: the errors of both models on S1002, 1 mm from the
+/// middle of 60E1, are those of the page.
 #[test]
 fn a_wheel_needs_strip() {
     let runs = rows("runs");
@@ -860,7 +860,7 @@ fn a_wheel_needs_strip() {
         x.hypot(y) / (0.3 * number(row, "normal_force_N"))
     });
     let words = format!("TOTAL is off by {total:.2} of μ N, that of STRIP by {strip:.2}");
-    assert_told("docs/models.md", &words);
+    assert_told("docs/evidence/models.md", &words);
     assert!(strip < 0.03 && total > 2.0 * strip, "{strip} {total}");
 }
 

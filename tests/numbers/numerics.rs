@@ -1,5 +1,5 @@
 //! Errors in units of the last place against 200-bit arithmetic (`tests/data/make_numerics.py`), by
-//! region, for double and single precision; the limits are what docs/reference/numerics.md
+//! region, for double and single precision; the limits are what docs/evidence/rounding.md
 //! explains.
 //!
 //! `cargo test --config tests/plain.toml --test numbers numerics -- --nocapture` prints the table
@@ -101,7 +101,7 @@ fn errors<F: Float>(row: &Row) -> Vec<f64> {
 }
 
 /// Largest error in units of the last place: what, region, double, single. Explained in
-/// docs/reference/numerics.md.
+/// docs/evidence/rounding.md.
 const ALLOWED: &[(&str, &str, f64, f64)] = &[
     // (four nodes on a smooth piece: up to 4e-12)
     ("force", "combined", 39.0, 0.9),

@@ -1,5 +1,5 @@
 //! Patches from profiles, the normal problem of strips: against the same formulas in 200 bits, by
-//! shape, in double and single precision. The limits are what docs/reference/numerics.md explains.
+//! shape, in double and single precision. The limits are what docs/evidence/rounding.md explains.
 //!
 //! `cargo test --config tests/plain.toml --test numbers profiles -- --nocapture` prints the table
 //! of that page.

@@ -1,6 +1,6 @@
 //! Every model, patches of strips, falling friction and layers against their own formulas in 200
 //! bits, by region, in double and single precision: what the arithmetic loses, derivatives
-//! included. docs/reference/numerics.md states and explains the errors; four times as much is too
+//! included. docs/evidence/rounding.md states and explains the errors; four times as much is too
 //! much.
 //!
 //! `KSTRIP_WRITE_PRECISE=120 cargo test --config tests/plain.toml --test numbers two_hundred_bits
@@ -324,10 +324,10 @@ impl Survey {
     }
 }
 
-/// The worst errors that docs/reference/numerics.md states in the row that begins so, none if there
+/// The worst errors that docs/evidence/rounding.md states in the row that begins so, none if there
 /// is no such row.
 pub fn stated(start: &str) -> Vec<f64> {
-    let text = include_str!("../../docs/reference/numerics.md");
+    let text = include_str!("../../docs/evidence/rounding.md");
     let row = text.lines().find_map(|row| row.strip_prefix(start));
     let cells = row.unwrap_or_default().split('|');
     cells.filter_map(|cell| cell.rsplit('/').next()?.trim().parse().ok()).collect()

@@ -161,7 +161,7 @@ fn figure_9_lateral_force_in_pure_spin() {
     }
 }
 
-/// Figure 9 against CONTACT: how far off both rules are, as docs/theory.md says.
+/// Figure 9 against CONTACT: how far off both rules are, as docs/maintain/theory.md says.
 #[test]
 fn figure_9_is_as_far_from_the_reference_as_told() {
     let cases = numbers::<10>("open.csv");
@@ -189,7 +189,7 @@ fn figure_9_is_as_far_from_the_reference_as_told() {
     for (rule, told) in ["rule of the rigid slip", "continuous rule"].iter().zip(told.chunks(2)) {
         let [slender, circle] = told else { unreachable!() };
         let text = format!("{rule} is {slender} off at `a/b = 0.2` and {circle} at `a/b = 1`");
-        assert_told("docs/theory.md", &text);
+        assert_told("docs/maintain/theory.md", &text);
     }
 }
 
@@ -306,7 +306,7 @@ fn section_9_spin_has_its_limit_without_poissons_ratio_only() {
         if nu != 0.25 {
             let row =
                 format!("| {nu} | {g} | {c23:.3} | {of_strips:.3} | {:.2} |", c23 / of_strips);
-            assert_told("docs/theory.md", &row);
+            assert_told("docs/maintain/theory.md", &row);
         }
     }
     assert_eq!(excess.len(), 12);

@@ -334,7 +334,7 @@ class Binding(unittest.TestCase):
                 kstrip.solve(CONTACT, kstrip.creepage(1e-3), model=number)
 
     def test_the_most_serious_warning_is_told(self):
-        page = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "docs", "reference", "bad-input.md")
+        page = os.path.join(os.path.dirname(__file__), *[os.pardir] * 3, "docs", "maintain", "bad-input.md")
         with open(page, encoding="utf-8") as text:
             order = text.read().split("## Which warning is returned")[1].split("\nThe status of a batch")[0]
         lines = [re.findall(r"`(KSTRIP_WARNING_\w+)`", line) for line in re.split(r"\n\d\. ", order)[1:]]

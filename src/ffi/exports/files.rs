@@ -15,8 +15,8 @@ use core::mem::MaybeUninit;
 /// with or without names. The convention of SIMPACK's format decides which way its points stand.
 /// For the other formats, or if the requested kind is not that of the header, the shape of the
 /// tread or of the head decides. The wheel of a MiniProf file is moved from its flange back to its
-/// running circle. docs/profile-files.md has the rules. The text is read several times, without a
-/// copy.
+/// running circle. docs/reference/profile-files.md has the rules. The text is read several times,
+/// without a copy.
 ///
 /// @param text, length    the text of the file and its number of bytes. It need not end with 0.
 /// @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn kstrip_read_profile(
 
 /// Turns profiles the right way round by their shape: points toward larger y, z down, the flange or
 /// the gauge side at small y. kstrip_read_profile() includes this. Kind, unit and directions are
-/// decided once for all profiles. docs/profile-files.md has the rules.
+/// decided once for all profiles. docs/reference/profile-files.md has the rules.
 ///
 /// @param y, z            the points of all profiles, one profile after the other.
 /// @param counts, profile_count  number of the points of each profile, at least four; of profiles.
