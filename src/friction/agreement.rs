@@ -28,6 +28,49 @@ const PARABOLAS: usize = 3;
 const ASIDE: f64 = 1e-2;
 const RISE_STEP: f64 = (1.0 - ASIDE) / RISE_PLACES as f64;
 
+/// Roundings of `μ` within which `g(μ) − μ` is zero, and within which it may be noise.
+const SETTLED_ROUNDINGS: f64 = 8.0;
+const NOISE: f64 = 64.0;
+/// Share of a solution by which another one must differ.
+const SAME: f64 = 1e-3;
+/// Share of the way to a solution by which two plain steps may miss it where no other one is
+/// expected between.
+const FLAT: f64 = 0.2;
+/// Largest share of the way to a solution that a step goes where `g` falls, as that of TOTAL may.
+const CAREFUL: f64 = 0.25;
+
+/// How far a walk along `μ ← g(μ)` goes: steps fall like a geometric series.
+struct Pace<F> {
+    /// `g'` as far as it was seen, three quarters at most, later more.
+    ratio: F,
+    caution: F,
+    /// Whether `g` falls between the last two places.
+    falls: bool,
+}
+
+impl<F: Float> Pace<F> {
+    fn new() -> Self {
+        Self { ratio: F::zero(), caution: F::of(CAUTION), falls: false }
+    }
+
+    /// Whether the next step is `g(μ) − μ` alone.
+    fn is_plain(&self) -> bool {
+        self.ratio == F::zero()
+    }
+
+    /// The next place after one with its `g(μ) − μ`.
+    fn far(&self, friction: F, step: F) -> F {
+        friction + step / (F::one() - self.ratio)
+    }
+
+    fn adapt(&mut self, [from, before]: [F; 2], [to, now]: [F; 2]) {
+        let slope = (now - before) / (to - from);
+        self.falls = slope < -F::one();
+        self.ratio = slope.plus(1.0).clamped(F::zero(), F::one() - self.caution);
+        self.caution = self.caution.times(LESS);
+    }
+}
+
 /// The equation `μ = g(μ)` and the bounds of `g`.
 pub(crate) struct FrictionEquation<'a, F, G> {
     pub law: &'a SlipFriction<F>,
@@ -45,11 +88,12 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         let Self { law, rigid_slip: rigid, load, next } = self;
         let largest = law.friction;
         let least = law.at(*rigid);
+        let high = next(largest)?;
+        let end = [largest, high - largest];
         if least * *load <= F::zero() {
             // Without any friction the bodies do not resist each other.
-            return Ok((self.walk(largest, [least, largest])?.0, Warning::None));
+            return Ok((self.walk(end, least)?.0, Warning::None));
         }
-        let high = next(largest)?;
         if high >= largest {
             return Ok((largest, Warning::None));
         }
@@ -58,40 +102,38 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
             (law.decay * (law.rolling_speed * *rigid)) * ((high - law.ratio * largest) / least);
         if steepness < F::of(ONE_SOLUTION_SLOPE) {
             let between = Bracket { positive: least, negative: largest };
-            let (friction, settled) = self.solve_between(between, high - largest, high)?;
+            let (friction, settled) = self.solve_between(between, end, high)?;
             return Ok((friction, if settled { Warning::None } else { Warning::NotConverged }));
         }
-        let (upper, settled) = self.walk(largest, [least, largest])?;
-        let (lower, _) = self.walk(least, [least, largest])?;
-        let several = upper - lower > upper.times(1e-3);
+        let (upper, settled) = self.walk(end, least)?;
+        let several = !self.is_alone(upper, least)?;
         let warnings = [(!settled, Warning::NotConverged), (several, Warning::SeveralFrictions)];
         Ok((upper, Warning::first(&warnings)))
     }
 
-    /// The only solution in a bracket of `g(μ) − μ`, from its value at the negative end and from a
-    /// first guess, by the secant method. The second result is whether the method reached
-    /// rounding. It does not where the forces jump (strips of 1967 that do not move with the
-    /// solution).
+    /// The only solution in a bracket of `g(μ) − μ`, from a place with its value and from a first
+    /// guess, by the secant method. The second result is whether the method reached rounding. It
+    /// does not where the forces jump (strips of 1967 that do not move with the solution).
     fn solve_between(
-        &self, mut bracket: Bracket<F>, end_error: F, first: F,
+        &self, mut bracket: Bracket<F>, [place, value]: [F; 2], first: F,
     ) -> Result<(F, bool), Error> {
-        let (mut before, mut error_before, mut friction) = (bracket.negative, end_error, first);
-        let (mut best, mut least_error) = (before, end_error.abs());
+        let (mut before, mut error_before, mut friction) = (place, value, first);
+        let (mut best, mut least_error) = (before, value.abs());
         for step in 0..SECANT_STEPS {
             let error = (self.next)(friction)? - friction;
-            let rounding = error.abs() <= friction * F::EPSILON.times(64.0);
+            let is_within = |roundings| error.abs() <= friction * F::EPSILON.times(roundings);
             if error.abs() < least_error {
                 (best, least_error) = (friction, error.abs());
-            } else if rounding {
+            } else if is_within(NOISE) {
                 break;
             }
-            if error == F::zero() {
+            if is_within(SETTLED_ROUNDINGS) {
                 break;
             }
             bracket.narrow(friction, error);
             let secant = friction + error * ((friction - before) / (error_before - error));
             // Among rounding errors the secant means nothing.
-            if rounding && !bracket.holds(secant) {
+            if is_within(NOISE) && !bracket.holds(secant) {
                 break;
             }
             (before, error_before) = (friction, error);
@@ -105,39 +147,72 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
         Ok((best, least_error <= best * F::EPSILON.sqrt()))
     }
 
-    /// Along `μ ← g(μ)` to the nearest solution, monotonically, with longer steps where these do
-    /// not pass it; and whether it was reached.
-    fn walk(&self, start: F, [least, largest]: [F; 2]) -> Result<(F, bool), Error> {
-        let mut friction = start;
-        let mut step = (self.next)(friction)? - friction;
-        // g' as far as it was seen, three quarters at most, later more: steps fall like a geometric
-        // series
-        let (mut ratio, mut caution) = (F::zero(), F::of(CAUTION));
+    /// Along `μ ← g(μ)` down to the nearest solution, monotonically, with longer steps where these
+    /// do not pass it; and whether it was reached. Starts from a place with its `g(μ) − μ`.
+    fn walk(&self, start: [F; 2], least: F) -> Result<(F, bool), Error> {
+        let [mut friction, mut step] = start;
+        let mut pace = Pace::new();
         for _ in 0..WALK_STEPS {
-            if step.abs() <= friction * F::EPSILON.times(8.0) {
+            if step.abs() <= friction * F::EPSILON.times(SETTLED_ROUNDINGS) {
                 return Ok((friction, true));
             }
-            let far = (friction + step / (F::one() - ratio)).clamped(least, largest);
+            let far = pace.far(friction, step).clamped(least, self.law.friction);
             let far_step = (self.next)(far)? - far;
             if far_step * step <= F::zero() {
                 // Passed it, or rounding turned round what is monotone: it lies between.
                 let found = self.solution_between([friction, step], [far, far_step])?;
-                let plain = ratio == F::zero() && (far - friction).abs() > friction.times(1e-3);
+                let plain = pace.is_plain() && (far - friction).abs() > friction.times(1e-3);
                 return if plain { self.nearest([friction, step], found) } else { Ok(found) };
             }
-            let slope = (far_step - step) / (far - friction);
-            ratio = slope.plus(1.0).clamped(F::zero(), F::one() - caution);
-            caution = caution.times(LESS);
+            pace.adapt([friction, step], [far, far_step]);
             (friction, step) = (far, far_step);
         }
         Ok((friction, false))
+    }
+
+    /// Whether there is no solution below one: along `μ ← g(μ)` up from the smallest possible `μ`.
+    fn is_alone(&self, upper: F, least: F) -> Result<bool, Error> {
+        let mut friction = least;
+        let mut step = (self.next)(least)? - least;
+        let mut pace = Pace::new();
+        for _ in 0..WALK_STEPS {
+            if upper - friction <= upper.times(SAME) {
+                return Ok(true);
+            }
+            if step.abs() <= friction * F::EPSILON.times(SETTLED_ROUNDINGS) {
+                return Ok(false);
+            }
+            let far = pace.far(friction, step);
+            // forces that jump may leave more than the rigid slip
+            let passes = upper - far <= upper.times(SAME) || step < F::zero();
+            let far = if passes { friction.times(0.5) + upper.times(0.5) } else { far };
+            let careful = friction + (upper - friction).times(CAREFUL);
+            let far = if pace.falls { far.min(careful) } else { far };
+            let far_step = (self.next)(far)? - far;
+            if far_step <= F::zero() {
+                return Ok(false);
+            }
+            // whether g is nearly flat up to the solution
+            let is_flat = |from: F, step: F| {
+                let way = upper - from;
+                (step - way).abs() <= way.times(FLAT)
+            };
+            if passes && is_flat(friction, step) && is_flat(far, far_step) {
+                return Ok(true);
+            }
+            pace.adapt([friction, step], [far, far_step]);
+            (friction, step) = (far, far_step);
+        }
+        Ok(true)
     }
 
     /// A solution between two places, each with its `g(μ) − μ`.
     fn solution_between(&self, from: [F; 2], to: [F; 2]) -> Result<(F, bool), Error> {
         let [low, high] = if to[0] > from[0] { [from, to] } else { [to, from] };
         let between = Bracket { positive: low[0], negative: high[0] };
-        self.solve_between(between, high[1], between.ratio_middle())
+        let (near, far) = if low[1].abs() < high[1].abs() { (low, high) } else { (high, low) };
+        let secant = near[0] + near[1] * ((near[0] - far[0]) / (far[1] - near[1]));
+        self.solve_between(between, near, between.guarded(secant))
     }
 
     /// The solution nearest to a place, with its `g(μ) − μ`, of which a plain step has passed one.
