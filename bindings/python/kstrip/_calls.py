@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._batch import Batch, layout_of
-from ._inputs import Plain, Shape, array_of, broadcast, flat, floats, one
+from ._inputs import Plain, Shape, array_of, broadcast, count_of, flat, floats, one
 from ._library import dtype_of, function_of, lib
 from ._status import KstripError, gravity, report, warn
 from ._value import Value
@@ -177,7 +177,7 @@ class Elements:
             if type(value) is kind:
                 self.columns[name] = repeat(value if kind is float else one(name, kind, value, single))
             else:
-                arrays[name] = floats(value, name) if kind is float else array_of(name, kind, value, single)
+                arrays[name] = floats(value, name, single) if kind is float else array_of(name, kind, value, single)
         #: Whether the results are batches
         self.many = any(array.ndim or arguments[name][0] is not float for name, array in arrays.items())
         self.shape: Shape = broadcast(**arrays) if arrays else ()
@@ -195,7 +195,8 @@ class Elements:
         """The elements of an argument one after the other, and their distance in bytes: 0 if there is one for all."""
         if name not in self._flat:
             kind, value = self._arguments[name]
-            self._flat[name] = flat(array_of(name, kind, value, self.single), self.shape)
+            array = floats(value, name, self.single) if kind is float else array_of(name, kind, value, self.single)
+            self._flat[name] = flat(array, self.shape)
         return self._flat[name]
 
     def out(self, structure: str) -> tuple[NDArray[np.void], Iterable[int]]:
@@ -247,6 +248,37 @@ class Elements:
 
             sweep.each(iter(lambda: list(islice(calls, size)), []), work, done)
         return found
+
+    def run_many(self, name: str, shared: Sequence[Any], inputs: Sequence[str], structure: str, outputs: Callable[[int, int], Sequence[Any]],
+                 sweep: Sweep) -> NDArray[np.int32]:
+        """Calls of a C function for many elements, one for each block of them, and the status of each element.
+
+        shared: the first arguments. inputs: the names of the arguments that follow the count. outputs(first, count): the arguments
+        between the workspace, which is a `structure`, and the statuses.
+        """
+        function, found = function_of(name, self.single), np.zeros(count_of(self.count), np.int32)
+        arrays = [self._begin(each) for each in inputs]
+
+        def work(first: int) -> int:
+            statuses = found[first : first + _BLOCK]
+            count = len(statuses)
+            given = [word for begin, stride in arrays for word in (begin and begin + first * stride, stride)]
+            space = memory.of(structure, self.single)
+            status = function(*shared, count, *given, space.address, *outputs(first, count), statuses.ctypes.data)
+            if status < 0 <= statuses.min():
+                raise KstripError(status)
+            return count
+
+        with sweep.bar(self.count, name) as show:
+            sweep.each(range(0, self.count, _BLOCK), work, show)
+        return found
+
+    def _begin(self, name: str) -> tuple[Optional[int], int]:
+        """Where the elements of an argument begin, and their distance in bytes."""
+        if self._arguments[name][0] is None:
+            return None, 0
+        elements, distance = self.array(name)
+        return elements.ctypes.data, distance
 
     def given(self, name: str) -> Any:
         """A copy of an argument."""

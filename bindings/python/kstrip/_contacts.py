@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ._batch import Batch
 from ._calls import Elements, optional
 from ._inputs import Many, is_single
-from ._library import dtype_of
+from ._library import constants, dtype_of
 from .values import Creepage, Friction, Motion, PatchStrip, WheelContact, WheelPair, WheelVelocity, Wrench
 
 
@@ -64,6 +64,28 @@ class KeptContacts:
         data = bytearray().join(part.ljust(most, b"\0") for part in self._parts)
         shape = (*elements.shape, most // self._dtype.itemsize)
         return Batch(WheelContact, np.frombuffer(data, self._dtype, math.prod(shape)).reshape(shape))
+
+
+class ContactLists:
+    """Memory for the contacts of many wheels, a part for each block of them."""
+
+    def __init__(self, elements: Elements):
+        self._shape, self._count = elements.shape, elements.count
+        self._dtype, self._parts = dtype_of("wheel_contact", elements.single), dict[int, NDArray[np.void]]()
+
+    def room(self, first: int, count: int) -> tuple[int, int]:
+        """Memory for the contacts of some wheels: its address, and the number of contacts of a wheel for which it has room."""
+        part = self._parts[first] = np.zeros((count, constants["KSTRIP_CONTACTS_CAPACITY"]), self._dtype)
+        return part.ctypes.data, part.shape[1]
+
+    def batch(self, most: int) -> Batch[WheelContact]:
+        """The contacts, at most so many of a wheel, with zeros behind those of a wheel that has fewer than another one."""
+        most = most if self._parts else 0
+        listed = np.zeros((self._count, most), self._dtype)
+        while self._parts:
+            first, part = self._parts.popitem()
+            listed[first : first + len(part)] = part[:, :most]
+        return Batch(WheelContact, listed.reshape(*self._shape, most))
 
 
 def contacts_in(memory: bytearray, requested: bool, at: int = 0) -> Batch[WheelContact]:
@@ -126,9 +148,7 @@ class OfContacts:
     def wrenches(self) -> Batch[Wrench]:
         """Force and moment on the wheel by each contact alone, and its dissipation [W]. Shape as `contacts`."""
         contacts = self.contacts
-        velocity, friction = (_each(value) for value in (self.velocity, self.friction))
-        models = np.broadcast_to(np.asarray(self.pair.model)[..., None], contacts.shape).ravel().tolist()
-        elements = Elements(is_single(contacts), "nan", contacts=(WheelContact, contacts), velocity=(WheelVelocity, velocity), friction=optional(Friction, friction))
+        elements, models = self._given()
         made, places = elements.out("wrench")
         columns = elements.columns
         found = elements.run("kstrip_wrench_from_contacts", columns["contacts"], repeat(1), columns["velocity"], models, columns["friction"],
@@ -143,6 +163,13 @@ class OfContacts:
         found = np.zeros(speed.shape)
         np.divide(self.wrenches.dissipation, speed, out=found, where=speed > 0.0)
         return found
+
+    def _given(self) -> tuple[Elements, list[int]]:
+        """Contacts, velocities and laws of friction as the C library takes them, and the model of each contact."""
+        contacts, velocity, friction = self.contacts, _each(self.velocity), _each(self.friction)
+        models = np.broadcast_to(np.asarray(self.pair.model)[..., None], contacts.shape).ravel().tolist()
+        return Elements(is_single(contacts), "nan", contacts=(WheelContact, contacts), velocity=(WheelVelocity, velocity),
+                        friction=optional(Friction, friction)), models
 
     def _motion(self) -> tuple[Batch[Motion], NDArray[np.float64]]:
         """Motion and speed at each contact."""

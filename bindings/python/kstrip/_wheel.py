@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import repeat
 from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ._batch import Batch
-from ._calls import Elements, Workspace, are_values, call, call_for_values, copy_of, memory, optional, sweep_of, zeros
-from ._contacts import KeptContacts, OfContacts, contacts_in
+from ._calls import Elements, are_values, call, call_for_values, copy_of, memory, optional, sweep_of, zeros
+from ._contacts import ContactLists, OfContacts, contacts_in
 from ._group import Group
 from ._inputs import Many, check, count_of, floats, is_single, number, precision
 from ._library import dtype_of
@@ -127,10 +126,10 @@ class WheelOnRail(OfContacts, Group):
     statuses: Any
 
 
-def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[Any]]:
-    """Elements, and the columns of rail and wheel."""
+def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tuple[Any, Any]) -> tuple[Elements, list[bytes]]:
+    """Elements, and rail and wheel as the C library takes them."""
     single = is_single(rail, wheel, friction, *(value for _, value in given.values()))
-    profiles = [repeat(prepared("rail", rail, single)), repeat(prepared("wheel", wheel, single))]
+    profiles = [prepared("rail", rail, single), prepared("wheel", wheel, single)]
     return Elements(single, on_error, **given, friction=optional(Friction, friction)), profiles
 
 
@@ -158,14 +157,20 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     sweep = sweep_of(threads, progress)
     elements, profiles = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
                                    velocity=(WheelVelocity, velocity))
-    (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
-    moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
-    kept = KeptContacts(elements.single)
-    found = elements.run("kstrip_wheel_on_rail", *profiles, *elements.columns.values(), Workspace("wheel_workspace"), first, second, third,
-                         kept=[kept] if contacts else [], sweep=sweep)
+    wrenches, slopes = elements.out("wrench")[0], elements.out("wrench_derivatives")[0]
+    moved = elements.out("wrench_by_position")[0] if by_position else None
+    lists = ContactLists(elements)
+
+    def outputs(first: int, count: int) -> list[Any]:
+        arrays = [None if array is None else array.ctypes.data + first * array.itemsize for array in (wrenches, slopes, moved)]
+        return [*arrays, *(lists.room(first, count) if contacts else (None, 0))]
+
+    inputs = ["pair", "position", "velocity", "friction"]
+    found = elements.run_many("kstrip_wheels_on_rails", profiles, inputs, "wheel_workspace", outputs, sweep)
+    listed = lists.batch(int(wrenches["contacts"].max(initial=0)))
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
-                       None if moved is None else elements.result(WrenchByPosition, moved, statuses), kept.batch(elements),
+                       None if moved is None else elements.result(WrenchByPosition, moved, statuses), listed,
                        elements.given("pair"), elements.given("position"), elements.given("velocity"), elements.given("friction"), statuses)
     return elements.report(made, statuses)
 
@@ -201,8 +206,10 @@ def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Wh
     sweep = sweep_of(threads, progress)
     elements, profiles = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
                                    support=(float, support), velocity=optional(WheelVelocity, velocity))
-    heights, places = elements.real()
-    found = elements.run("kstrip_height_for_load", *profiles, *elements.columns.values(), Workspace("wheel_workspace"), places, sweep=sweep)
+    heights, _ = elements.real()
+    inputs = ["pair", "position", "support", "velocity", "friction"]
+    found = elements.run_many("kstrip_heights_for_loads", profiles, inputs, "wheel_workspace",
+                              lambda first, _: [heights.ctypes.data + first * heights.itemsize], sweep)
     told = elements.statuses(found, heights)
     if statuses is not None:
         statuses[...] = told
