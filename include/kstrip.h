@@ -2194,6 +2194,52 @@ kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *con
                                           struct kstrip_wrench *wrench,
                                           struct kstrip_wrench_derivatives *derivatives);
 
+/** One strip of a contact of a wheel: its load, and the power that friction dissipates in it. */
+typedef struct kstrip_strip_power {
+    /** y on the wheel's profile [m], in the axes of the profile. */
+    double wheel_y;
+    /** Width along the surface [m]. */
+    double width;
+    /** Load [N], with the share of the contact and the factor of the damping. */
+    double normal_force;
+    /** Longitudinal force on the rail [N], with the share of the contact. */
+    double fx;
+    /**
+     * Force on the rail along its surface across the rolling direction [N], with the share of
+     * the contact; of a left wheel that of the mirrored right wheel.
+     */
+    double fy;
+    /** Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load. */
+    double slip;
+    /** Frictional power [W], with the share of the contact. */
+    double power;
+} kstrip_strip_power;
+
+/**
+ * Load, sliding velocity and frictional power of each strip of a contact, for the wear of profiles.
+ *
+ * Add the strips of all contacts at their wheel_y; y on the rail is that of the position plus
+ * strip_y of the contact. The powers add up to the dissipation of kstrip_wrench_from_contacts()
+ * with the model KSTRIP_MODEL_STRIP, and the loads to its normal_force.
+ *
+ * @param contact         a contact.
+ * @param velocity        how the wheel moves.
+ * @param model, friction  as in kstrip_wrench_from_contacts(). KSTRIP_MODEL_TOTAL has no strips:
+ *                        KSTRIP_MODEL_STRIP takes its place.
+ * @param[out] strips     array of capacity elements, at least contact->patch.count, for which
+ *                        KSTRIP_PATCH_CAPACITY is always enough.
+ * @param capacity        size of strips.
+ * @param[out] count      receives the number of strips.
+ * @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY.
+ */
+kstrip_status kstrip_contact_power_across(const struct kstrip_wheel_contact *contact,
+                                          const struct kstrip_wheel_velocity *velocity,
+                                          int32_t model,
+                                          const struct kstrip_friction *friction,
+                                          struct kstrip_strip_power *strips,
+                                          uint32_t capacity,
+                                          uint32_t *count);
+
 /**
  * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
  * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its

@@ -1424,6 +1424,16 @@ struct basic_wheel_contact {
 };
 KSTRIP_HPP_BOTH(wheel_contact)
 
+/// One strip of a contact of a wheel, and the power that friction dissipates in it. See kstrip_strip_power.
+template <class T>
+struct basic_strip_power {
+    basic_metres<T> wheel_y, width;
+    basic_newtons<T> normal_force, fx, fy;
+    basic_metres_per_second<T> slip;
+    T power; ///< W
+};
+KSTRIP_HPP_BOTH(strip_power)
+
 /// Memory for one wheel. After a call it holds the gap and the contacts.
 template <class T>
 struct basic_wheel_workspace {
@@ -1528,6 +1538,16 @@ status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity
                     basic_motion<T> &to) noexcept
 {
     return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &moves, &to);
+}
+
+/// `law`: null where friction is constant; `count` receives the number of strips.
+template <class T>
+status contact_power_across(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves, model how,
+                            const detail::only<basic_friction<T>> *law,
+                            detail::only<span<basic_strip_power<T>>> to, std::uint32_t &count) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_contact_power_across, &at, &moves, static_cast<std::int32_t>(how), law, to.data(),
+                           detail::capacity(to.size()), &count);
 }
 
 /// `law`: null where friction is constant; `slopes`: null where they are not needed.
@@ -1735,6 +1755,19 @@ std::vector<basic_wheel_contact<T>> contacts_from_gap(const basic_gap<T> &betwee
 template <class T>
 basic_motion<T> wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves)
 KSTRIP_HPP_THROWING(basic_motion<T>, wheel_motion, at, moves, to)
+
+/// Load, sliding velocity and frictional power of each strip of a contact. `law`: null where friction is constant.
+template <class T>
+std::vector<basic_strip_power<T>> contact_power_across(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves,
+                                                       model how = model::default_,
+                                                       const detail::only<basic_friction<T>> *law = nullptr)
+{
+    std::vector<basic_strip_power<T>> to(patch_capacity);
+    std::uint32_t count = 0;
+    detail::check(contact_power_across<T>(at, moves, how, law, to, count));
+    to.resize(count);
+    return to;
+}
 
 /// Force and moment on a wheel with their derivatives.
 template <class T>

@@ -763,6 +763,26 @@ kstrip_status kstrip_wrench_from_contacts_f32(const struct kstrip_wheel_contact_
                                               struct kstrip_wrench_f32 *wrench,
                                               struct kstrip_wrench_derivatives_f32 *derivatives);
 
+/** One strip of a contact of a wheel: its load, and the power that friction dissipates in it. */
+typedef struct kstrip_strip_power_f32 {
+    float wheel_y;
+    float width;
+    float normal_force;
+    float fx;
+    float fy;
+    float slip;
+    float power;
+} kstrip_strip_power_f32;
+
+/** kstrip_contact_power_across() in single precision. */
+kstrip_status kstrip_contact_power_across_f32(const struct kstrip_wheel_contact_f32 *contact,
+                                              const struct kstrip_wheel_velocity_f32 *velocity,
+                                              int32_t model,
+                                              const struct kstrip_friction_f32 *friction,
+                                              struct kstrip_strip_power_f32 *strips,
+                                              uint32_t capacity,
+                                              uint32_t *count);
+
 /**
  * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
  * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its

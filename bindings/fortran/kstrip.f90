@@ -575,6 +575,17 @@ module kstrip
       real(c_double) :: friction(6) = 0
    end type
 
+   !> One strip of a contact of a wheel: its load, and the power that friction dissipates in it.
+   type, bind(c) :: kstrip_strip_power
+      real(c_double) :: wheel_y = 0
+      real(c_double) :: width = 0
+      real(c_double) :: normal_force = 0
+      real(c_double) :: fx = 0
+      real(c_double) :: fy = 0
+      real(c_double) :: slip = 0
+      real(c_double) :: power = 0
+   end type
+
    !> Memory of the caller for the computation of one wheel.
    type, bind(c) :: kstrip_wheel_workspace
       type(kstrip_gap) :: gap
@@ -1030,6 +1041,18 @@ module kstrip
          type(kstrip_friction), intent(in), optional :: friction
          type(kstrip_wrench), intent(inout) :: wrench
          type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
+      end function
+
+      !> Load, sliding velocity and frictional power of each strip of a contact, for the wear of profiles.
+      integer(c_int32_t) function kstrip_contact_power_across(contact, velocity, model, friction, strips, capacity, count) bind(c)
+         import
+         type(kstrip_wheel_contact), intent(in) :: contact
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         integer(c_int32_t), value :: model
+         type(kstrip_friction), intent(in) :: friction
+         type(kstrip_strip_power), intent(inout) :: strips(*)
+         integer(c_int32_t), value :: capacity
+         integer(c_int32_t), intent(inout) :: count
       end function
 
       !> Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),

@@ -52,6 +52,7 @@ layouts! {
     kstrip_wheel_velocity { forward, lateral, vertical, roll, pitch, yaw }
     kstrip_wrench { force, moment, dissipation, normal_force, contacts, warning }
     kstrip_wrench_derivatives { velocity, friction }
+    kstrip_strip_power { wheel_y, width, normal_force, fx, fy, slip, power }
     kstrip_wheel_workspace { gap, strips, contacts, count, reserved }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
     kstrip_curve { speed, curvature, cant, gravity }

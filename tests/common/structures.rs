@@ -38,6 +38,7 @@ macro_rules! structures {
         pub type kstrip_wheel_velocity = kstrip::wheel_rail::Velocity<$float>;
         pub type kstrip_wheel_pair = kstrip::wheel_rail::WheelPair<$float>;
         pub type kstrip_gap = kstrip::wheel_rail::touch::Gap<$float>;
+        pub type kstrip_strip_power = kstrip::wheel_rail::forces::across::StripPower<$float>;
         pub type kstrip_wheel_contact = kstrip::wheel_rail::contacts::WheelContact<$float>;
         pub type kstrip_wheel_workspace = kstrip::wheel_rail::scene::Workspace<$float>;
         pub type kstrip_wrench = kstrip::wheel_rail::forces::wrench::Wrench<$float>;

@@ -54,8 +54,8 @@ const GROUPS: [Group; 10] = [
         title: "Wheel on rail: from two profiles to the forces on the wheel",
         constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_ KSTRIP_FORMAT_ KSTRIP_NOTE_",
         functions: "read_profile orient_profiles prepare_profile profile_between touch \
-            contacts_from_gap wheel_motion wrench_from_contacts wheel_on_rail wheels_on_rails \
-            height_for_load heights_for_loads",
+            contacts_from_gap wheel_motion wrench_from_contacts contact_power_across wheel_on_rail \
+            wheels_on_rails height_for_load heights_for_loads",
     },
     Group {
         id: "wheelset",

@@ -3,6 +3,7 @@
 use crate::prelude::*;
 use crate::wheel_rail::{assert_derivatives, assert_near, dot, moved, power};
 use kstrip::patch::friction;
+use kstrip::wheel_rail::forces::across::{StripPower, power_across};
 use kstrip_testing::manchester::profile;
 
 /// The contacts of a worn wheel on a worn rail; the normal turns by 25 degrees over one of them.
@@ -238,5 +239,89 @@ fn a_host_that_passes_the_slip_of_each_strip_finds_the_wrench() {
     }
     for (sum, expected) in wrench.into_iter().zip(expected.members()) {
         assert!((sum - expected).abs() < 1e-5 * 0.3 * 100e3, "{sum} {expected}");
+    }
+}
+
+/// Strips of every contact.
+fn across(
+    contacts: &[WheelContact<f64>], velocity: &Velocity<f64>, law: Law<f64>,
+) -> Vec<StripPower<f64>> {
+    let mut strips = vec![];
+    for contact in contacts {
+        power_across(contact, velocity, law, &mut |strip| strips.push(strip)).unwrap();
+    }
+    strips
+}
+
+/// Power and load of the strips are those of the wrench, and each strip loses power.
+#[test]
+fn powers_across_contacts_add_up() {
+    let mut unlike = contacts(3e-3, false);
+    for contact in &mut unlike {
+        (contact.patch.mismatch, contact.normal_damping, contact.share) = (0.1, 0.5, 0.7);
+    }
+    for contacts in [contacts(3e-3, false), contacts(3e-3, true), unlike] {
+        for (speed, falling) in
+            [(20.0, None), (0.03, Some(&FALLING)), (0.0, None), (-4.0, Some(&FALLING))]
+        {
+            let (velocity, law) = (rolling(speed), Law { model: Model::Strip, falling });
+            let wrench = of_contacts(&contacts, &velocity, law, None).unwrap();
+            let strips = across(&contacts, &velocity, law);
+            let [power, load] = strips.iter().fold([0.0; 2], |[power, load], strip| {
+                assert!(strip.power >= 0.0 && strip.slip >= 0.0);
+                [power + strip.power, load + strip.normal_force]
+            });
+            assert_relative_eq!(power, wrench.dissipation, max_relative = 1e-12);
+            assert_relative_eq!(load, wrench.normal_force, max_relative = 1e-12);
+            // the model without strips takes the same
+            let total = Law { model: Model::Total, falling };
+            assert_eq!(across(&contacts, &velocity, total), strips);
+        }
+    }
+}
+
+/// Where all strips slide far, the slip of each is that of the wheel's surface on the rail, and its
+/// force is the coefficient of friction times the load.
+#[test]
+fn strips_that_slide_have_the_slip_of_the_surfaces() {
+    let contacts = contacts(3e-3, false);
+    let velocity = Velocity { forward: 5.0, pitch: -15.0 / 0.4191, ..Velocity::default() };
+    for (contact, strip) in contacts.iter().flat_map(|contact| {
+        across(&[contact.clone()], &velocity, STRIP).into_iter().map(move |strip| (contact, strip))
+    }) {
+        // the mean of slip along each strip; the radius at the strip is about that of its contact
+        let expected = 15.0 * contact.radius / 0.4191 - 5.0;
+        assert_relative_eq!(strip.slip, expected, max_relative = 0.05);
+        let bound = 0.3 * strip.normal_force;
+        assert_relative_eq!(strip.fx.hypot(strip.fy), bound, max_relative = 1e-3);
+    }
+}
+
+/// The place of a strip on the wheel's profile does not change with roll, yaw and side: at y of the
+/// profile the wheel has the radius of the strip.
+#[test]
+fn strips_lie_on_the_profile_of_the_wheel() {
+    let wheel = profile("whl288");
+    for contacts in [contacts(3e-3, false), contacts(3e-3, true), contacts(20e-3, false)] {
+        for contact in &contacts {
+            let strips = across(std::slice::from_ref(contact), &rolling(20.0), STRIP);
+            for (k, strip) in strips.iter().enumerate() {
+                let [x, y, z] = [
+                    contact.origin[0] + contact.patch.strips[k].centre_x,
+                    contact.strip_y[k],
+                    contact.strip_z[k],
+                ];
+                // distance from the axle
+                let radius = (x * x + y * y + z * z - strip.wheel_y.powi(2)).sqrt();
+                let at = wheel
+                    .y
+                    .windows(2)
+                    .position(|pair| (pair[0] - strip.wheel_y) * (pair[1] - strip.wheel_y) <= 0.0);
+                let at = at.expect("the profile has the place");
+                let share = (strip.wheel_y - wheel.y[at]) / (wheel.y[at + 1] - wheel.y[at]);
+                let depth = wheel.z[at] + share * (wheel.z[at + 1] - wheel.z[at]);
+                assert!((radius - 0.4191 - depth).abs() < 2e-5, "{radius} {depth}");
+            }
+        }
     }
 }

@@ -14,7 +14,7 @@ from ._batch import Batch
 from ._calls import Elements, optional
 from ._inputs import Many, is_single
 from ._library import constants, dtype_of
-from .values import Creepage, Friction, Motion, PatchStrip, WheelContact, WheelPair, WheelVelocity, Wrench
+from .values import Creepage, Friction, Motion, PatchStrip, StripPower, WheelContact, WheelPair, WheelVelocity, Wrench
 
 
 class _Lists:
@@ -155,6 +155,21 @@ class OfContacts:
                              places, repeat(None))
         made[contacts.normal_force == 0.0] = np.zeros((), made.dtype)
         return Batch(Wrench, made, np.reshape(np.array(found, np.int32), made.shape))
+
+    @property
+    def power_across(self) -> Batch[StripPower]:
+        """Load [N], sliding velocity [m/s] and frictional power [W] of each strip of each contact, and its y on the wheel's profile [m].
+
+        Shape as `strips`. They are those of the model "strip" where the pair has "total". kstrip.plot.wear() draws them."""
+        contacts, most = self.contacts, self.strips.shape[-1]
+        elements, models = self._given()
+        made = np.zeros((*contacts.shape, most), dtype_of("strip_power", elements.single))
+        counts = np.zeros(elements.count, np.uint32)
+        places = (range(of.ctypes.data, of.ctypes.data + of.nbytes + 1, size) for of, size in ((made, most * made.itemsize or 1), (counts, 4)))
+        columns = elements.columns
+        elements.run("kstrip_contact_power_across", columns["contacts"], columns["velocity"], models, columns["friction"], next(places),
+                     repeat(most), next(places))
+        return Batch(StripPower, made)
 
     @property
     def t_gamma(self) -> NDArray[np.float64]:

@@ -287,7 +287,7 @@ def wear(on: Union[WheelOnRail, WheelOfWheelset, WheelsetOnTrack], *, width: flo
     """T-gamma along the profiles of wheels: frictional work for each metre of the way and each millimetre of the profile [N/mm].
 
     on: of wheel_on_rail() or wheelset_on_track(), with its contacts; of many positions the mean is drawn. width: of the parts of the
-    profile [m]. The T-gamma of a contact is spread over its strips in proportion to their loads.
+    profile [m]. Each strip has the T-gamma of its own slip, as kstrip_contact_power_across() gives it.
 
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5), yaw=1e-3)
     >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 100e3)
@@ -308,12 +308,12 @@ def wear(on: Union[WheelOnRail, WheelOfWheelset, WheelsetOnTrack], *, width: flo
 
 def _work(of: OfContacts) -> tuple[NDArray[np.float64], NDArray[np.float64], int]:
     """y on the profile [m] and T-gamma [N] of each strip of wheels, and the number of wheels with a result."""
-    contacts, strips = of.contacts, of.strips
-    loads = strips.width * strips.half_length * strips.peak_pressure
-    shares = loads / np.maximum(np.sum(loads, axis=-1, keepdims=True), np.finfo(float).tiny)
-    work = np.where(loads > 0.0, shares * np.nan_to_num(of.t_gamma)[..., None], 0.0)
+    strips, (_, speed) = of.power_across, of._motion()
+    work = np.zeros(strips.shape)
+    np.divide(strips.power, speed[..., None], out=work, where=speed[..., None] > 0.0)
+    carries = strips.normal_force > 0.0
     results = np.isfinite(np.atleast_1d(np.asarray(of.wrench.normal_force)))
-    return contacts.strip_y[..., : loads.shape[-1]][loads > 0.0], work[loads > 0.0], max(1, int(results.sum()))
+    return strips.wheel_y[carries], work[carries], max(1, int(results.sum()))
 
 
 def conicity(wheelset: Wheelset, track: Track, amplitudes: Optional[ArrayLike] = None, *, figure: Any = None) -> Any:

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
 __all__ = ['Material', 'CombinedMaterial', 'Radii', 'Contact', 'HertzContact', 'Velocity', 'Creepage', 'Parameters', 'Result', 'Friction', 'Derivatives',
  'LawDerivatives', 'Strip', 'Motion', 'MotionDerivatives', 'Point', 'PatchStrip', 'Patch', 'ProfileResult', 'PatchSummary', 'WheelPosition',
- 'WheelPair', 'WheelContact', 'WheelVelocity', 'Wrench', 'WrenchDerivatives', 'WrenchByPosition', 'Curve', 'RailMotion', 'WheelsetForces',
- 'WheelsetDerivatives', 'WheelsetByPosition', 'FrictionEstimate', 'FrictionFit']
+ 'WheelPair', 'WheelContact', 'WheelVelocity', 'Wrench', 'WrenchDerivatives', 'StripPower', 'WrenchByPosition', 'Curve', 'RailMotion',
+ 'WheelsetForces', 'WheelsetDerivatives', 'WheelsetByPosition', 'FrictionEstimate', 'FrictionFit']
 
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
@@ -871,6 +871,40 @@ class WrenchDerivatives(Value):
 
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
+class StripPower(Value):
+    """One strip of a contact of a wheel: its load, and the power that friction dissipates in it.
+
+    wheel_y: y on the wheel's profile [m], in the axes of the profile.
+    width: Width along the surface [m].
+    normal_force: Load [N], with the share of the contact and the factor of the damping.
+    fx: Longitudinal force on the rail [N], with the share of the contact.
+    fy: Force on the rail along its surface across the rolling direction [N], with the share of the contact; of a left wheel that of the mirrored right wheel.
+    slip: Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load.
+    power: Frictional power [W], with the share of the contact.
+    """
+
+    _structure: ClassVar[str] = "strip_power"
+    _units: ClassVar[dict[str, str]] = {'wheel_y': 'm', 'width': 'm', 'normal_force': 'N', 'fx': 'N', 'fy': 'N', 'slip': 'm/s', 'power': 'W'}
+
+    wheel_y: float
+    width: float
+    normal_force: float
+    fx: float
+    fy: float
+    slip: float
+    power: float
+
+    def __init__(self, wheel_y: float, width: float, normal_force: float, fx: float, fy: float, slip: float, power: float) -> None:
+        self.wheel_y = wheel_y
+        self.width = width
+        self.normal_force = normal_force
+        self.fx = fx
+        self.fy = fy
+        self.slip = slip
+        self.power = power
+
+
+@dataclass(slots=True, init=False, repr=False, eq=False)
 class WrenchByPosition(Value):
     """Derivatives of the wrench with respect to the wheel's position at constant velocity.
 
@@ -1084,6 +1118,7 @@ classes: dict[str, type[Value]] = {
         WheelVelocity,
         Wrench,
         WrenchDerivatives,
+        StripPower,
         WrenchByPosition,
         Curve,
         RailMotion,

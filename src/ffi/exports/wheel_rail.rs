@@ -2,16 +2,17 @@
 
 use super::F;
 use crate::ffi::support::{
-    for_strips, given, input, put, status_of, strip_count, with_requested, write_result,
+    for_strips, given, input, output, put, status_of, strip_count, with_requested, write_result,
 };
 use crate::ffi::types::kstrip_options;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Motion;
 use crate::number::{Float, are_finite};
-use crate::patch::Patch;
+use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning, kstrip_status};
 use crate::wheel_rail::contacts::{self, WheelContact};
+use crate::wheel_rail::forces::across::{self, StripPower};
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::profile::plausibility::Cause;
@@ -185,6 +186,46 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         put(derivatives, slopes);
         out.write(found);
         Ok(found.warning)
+    })
+}
+
+/// Load, sliding velocity and frictional power of each strip of a contact, for the wear of profiles.
+///
+/// Add the strips of all contacts at their wheel_y; y on the rail is that of the position plus
+/// strip_y of the contact. The powers add up to the dissipation of kstrip_wrench_from_contacts()
+/// with the model KSTRIP_MODEL_STRIP, and the loads to its normal_force.
+///
+/// @param contact         a contact.
+/// @param velocity        how the wheel moves.
+/// @param model, friction  as in kstrip_wrench_from_contacts(). KSTRIP_MODEL_TOTAL has no strips:
+///                        KSTRIP_MODEL_STRIP takes its place.
+/// @param[out] strips     array of capacity elements, at least contact->patch.count, for which
+///                        KSTRIP_PATCH_CAPACITY is always enough.
+/// @param capacity        size of strips.
+/// @param[out] count      receives the number of strips.
+/// @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY.
+#[unsafe(export_name = symbol!("kstrip_contact_power_across"))]
+pub unsafe extern "C" fn kstrip_contact_power_across(
+    contact: Option<&WheelContact<F>>, velocity: Option<&Velocity<F>>, model: i32,
+    friction: Option<&SlipFriction<F>>, strips: *mut StripPower<F>, capacity: u32,
+    count: Option<&mut MaybeUninit<u32>>,
+) -> kstrip_status {
+    status_of(|| {
+        let (contact, velocity, count) = (given(contact)?, given(velocity)?, given(count)?);
+        // SAFETY: NULL or valid for capacity elements, says the header.
+        let places = unsafe { output(strips, capacity)? };
+        let law = law_of(model, friction)?;
+        let most = contact.patch.count as usize;
+        Error::PatchSize.unless(most <= KSTRIP_PATCH_CAPACITY)?;
+        Error::Capacity.unless(most <= places.len())?;
+        let mut places = places.iter_mut();
+        let warning = across::power_across(contact, velocity, law, &mut |strip| {
+            if let Some(place) = places.next() {
+                place.write(strip);
+            }
+        })?;
+        count.write(contact.patch.count);
+        Ok(warning)
     })
 }
 

@@ -223,6 +223,15 @@ impl<F: Float> WheelContact<F> {
         Error::Overflow.unless(are_finite(&members(&motion))).map(|()| motion)
     }
 
+    /// Whether its numbers are possible.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let (share, normal_force) = (self.share, self.normal_force);
+        let is_finite = are_finite(&self.normal) && are_finite(&[share, normal_force]);
+        Error::NotFinite.unless(is_finite)?;
+        Error::Share.when(share < F::zero())?;
+        Error::NormalForce.when(normal_force < F::zero())
+    }
+
     /// The factor by which damping changes the pressure: `max(0, 1 + d v_n)`, with the velocity
     /// `v_n` of the wheel into the rail.
     pub(super) fn damping_factor(&self, velocity: &[F; 6]) -> Result<F, Error> {

@@ -22,9 +22,9 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Rolling;
-use crate::number::{Float, add, at};
+use crate::number::{Float, add, at, set_at};
 use crate::patch::each_strip::{AtStrip, By, Visited, creepage_at, each_strip};
-use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchStrip, PatchView};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::touch::line_of_contact::Axes;
@@ -57,16 +57,10 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     let Law { model, .. } = law;
     let falling = at_speed(law, rolling.speed);
     let end = End::<_, SLOPES> { velocity, speed: rolling.speed, falling: falling.as_ref(), model };
-    let axes = contact.axes();
-    let count = contact.patch.count as usize;
+    let frames = Frames { contact, axes: contact.axes() };
     let mut ends = |ratio: F| {
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
-            let strip = |k: usize| {
-                let number = if is_turned { count.saturating_sub(k + 1) } else { k };
-                let own = OwnFrame::of_strip(contact, &axes, number);
-                if is_turned { own.turned() } else { own }
-            };
-            end.creep(view, creepage, &strip)
+            end.creep(view, creepage, &|k| frames.of_strip(k, is_turned))
         })
     };
     let [ahead, behind] = ends(rolling.speed_by_rolling)?;
@@ -104,6 +98,63 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     Ok(found)
 }
 
+/// Strips by their number.
+pub(super) type Slid<F> = [SlidStrip<F>; KSTRIP_PATCH_CAPACITY];
+
+/// Force and power of a strip in its own frame.
+#[derive(Clone, Copy, Default)]
+pub(super) struct SlidStrip<F> {
+    /// Along x and across \[N\], on the rail.
+    pub force: [F; 2],
+    /// \[W\]
+    pub power: F,
+    /// Power divided by the friction bound \[m/s\].
+    pub slip: F,
+}
+
+/// Forces and power of each strip, and the warning of the model.
+pub(super) fn across<F: Float>(
+    contact: &WheelContact<F>, mut pressed: Pressed<F>, velocity: &[F; 6], rolling: &Rolling<F>,
+    law: Law<F>,
+) -> Result<(Slid<F>, Warning), Error> {
+    let Law { model, .. } = law;
+    let (falling, speed) = (at_speed(law, rolling.speed), rolling.speed);
+    let end = End::<_, false> { velocity, speed, falling: falling.as_ref(), model };
+    let frames = Frames { contact, axes: contact.axes() };
+    let (count, factor) = (contact.patch.count as usize, pressed.factor);
+    let ends =
+        pressed.each_end(rolling, rolling.speed_by_rolling, |view, creepage, is_turned| {
+            let own = end.own_creepages(view, creepage, &|k| frames.of_strip(k, is_turned));
+            let view = view.with_own_creepages(&own)?;
+            let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];
+            let sign = if is_turned { -F::one() } else { F::one() };
+            let law = end.falling;
+            let found =
+                each_strip::<_, false>(&view, creepage, law, (model, None), &mut |k, at| {
+                    let number = if is_turned { count.saturating_sub(k + 1) } else { k };
+                    let [x, y, _] = at.forces;
+                    let power = at.power * speed;
+                    let strip = SlidStrip { force: [x * sign, y * sign], power, slip: F::zero() };
+                    set_at(&mut slid, number, strip);
+                })?;
+            for (strip, of) in slid.iter_mut().zip(&contact.patch.strips) {
+                // λ μ₀ N
+                let bound = found.share * factor * of.friction_bound();
+                strip.slip = if bound > F::zero() { strip.power / bound } else { F::zero() };
+            }
+            Ok((slid, found.warning))
+        })?;
+    let [(mut slid, ahead), (behind_slid, behind)] = ends;
+    for (strip, behind) in slid.iter_mut().zip(&behind_slid) {
+        let mean = |p: F, q: F| rolling.mean(p, q);
+        let ([x, y], [u, v]) = (strip.force, behind.force);
+        strip.force = [mean(x, u), mean(y, v)];
+        strip.power = mean(strip.power, behind.power);
+        strip.slip = mean(strip.slip, behind.slip);
+    }
+    Ok((slid, ahead.worse(behind)))
+}
+
 /// The motion of a strip in its own frame.
 struct OwnFrame<F> {
     /// `B`: slip and spin rate by the wheel's velocities.
@@ -112,8 +163,18 @@ struct OwnFrame<F> {
     at_rest: [F; 3],
 }
 
-impl<F: Float> OwnFrame<F> {
-    fn of_strip(contact: &WheelContact<F>, axes: &Axes<F>, number: usize) -> Self {
+/// The frames of the strips of a contact.
+struct Frames<'a, F> {
+    contact: &'a WheelContact<F>,
+    axes: Axes<F>,
+}
+
+impl<F: Float> Frames<'_, F> {
+    /// The frame of a strip by its number, in a patch that may be turned by 180 degrees.
+    fn of_strip(&self, number: usize, is_turned: bool) -> OwnFrame<F> {
+        let Self { contact, axes } = self;
+        let count = contact.patch.count as usize;
+        let number = if is_turned { count.saturating_sub(number + 1) } else { number };
         let of = |list: &[F]| at(list, number);
         let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
         let [origin, ..] = contact.origin;
@@ -124,12 +185,15 @@ impl<F: Float> OwnFrame<F> {
         let per_size = F::one() / lean.squared().plus(1.0).sqrt();
         let wheel = [(sine - cosine * lean) * per_size, (cosine + sine * lean) * per_size];
         let rail_sine = (sine + cosine * lean) * per_size;
-        Self {
+        let own = OwnFrame {
             rows: axes.rows([x, y, z], [sine, cosine], wheel, &contact.over(x, z)),
             at_rest: [of(&contact.strip_rail_speed), F::zero(), rail_sine * contact.rail_rate],
-        }
+        };
+        if is_turned { own.turned() } else { own }
     }
+}
 
+impl<F: Float> OwnFrame<F> {
     /// The same of a patch that is turned by 180 degrees.
     fn turned(self) -> Self {
         let ([x, y, spin], [slip_x, slip_y, spin_rate]) = (self.rows, self.at_rest);
@@ -194,26 +258,36 @@ impl<F: Float> StripSums<F> {
     }
 }
 
+/// Creepages of strips.
+type Creepages<F> = Vec<Creepage<F>, KSTRIP_PATCH_CAPACITY>;
+
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
-    fn creep(
+    /// What the strips have besides the creepages of the patch where they are.
+    fn own_creepages(
         &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
-    ) -> Result<Creep<F>, Error> {
-        let Self { velocity, speed, falling, model } = *self;
-        let (zero, one) = (F::zero(), F::one());
-        let per_speed = one / speed;
-        // what the strips have besides the creepages of the patch where they are
-        let mut own = Vec::<_, KSTRIP_PATCH_CAPACITY>::new();
-        for (k, place) in view.strips().iter().enumerate() {
+    ) -> Creepages<F> {
+        let per_speed = F::one() / self.speed;
+        let of = |(k, place): (usize, &PatchStrip<F>)| {
             let OwnFrame { rows, at_rest } = strip(k);
             let patch = creepage_at(creepage, place.centre_x, place.y);
-            let [x, y, spin] = rows.map(|row| dot(&row, velocity));
+            let [x, y, spin] = rows.map(|row| dot(&row, self.velocity));
             let [slip_x, slip_y, spin_rate] = at_rest;
-            let _ = own.push(Creepage {
+            Creepage {
                 longitudinal: (x + slip_x) * per_speed - patch.longitudinal,
                 lateral: (y + slip_y) * per_speed - patch.lateral,
                 spin: (spin + spin_rate) * per_speed - patch.spin,
-            });
-        }
+            }
+        };
+        view.strips().iter().enumerate().map(of).collect()
+    }
+
+    fn creep(
+        &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
+    ) -> Result<Creep<F>, Error> {
+        let Self { speed, falling, model, .. } = *self;
+        let (zero, one) = (F::zero(), F::one());
+        let per_speed = one / speed;
+        let own = self.own_creepages(view, creepage, strip);
         let strips = view.strips();
         let whole = |k: usize| {
             let (Some(strip), Some(own)) = (strips.get(k), own.get(k)) else { return [zero; 3] };

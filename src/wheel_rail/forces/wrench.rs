@@ -133,10 +133,7 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
     let (mut sums, mut normal_force, mut dissipation) = ([zero; 6], zero, zero);
     let mut warning = Warning::None;
     for contact in contacts {
-        let numbers = [contact.share, contact.normal_force];
-        Error::NotFinite.unless(are_finite(&contact.normal) && are_finite(&numbers))?;
-        Error::Share.when(contact.share < zero)?;
-        Error::NormalForce.when(contact.normal_force < zero)?;
+        contact.check()?;
         if contact.is_conformal() {
             warning = warning.worse(Warning::AngleRange);
         }

@@ -335,6 +335,42 @@ fn wrench_from_contacts(bytes: &mut Bytes) {
     }
 }
 
+/// The loads and powers of strips are finite, and loads are not negative.
+fn contact_power_across(bytes: &mut Bytes) {
+    let scene = Scene::new(bytes);
+    let Some((mut contacts, _)) = contacts(bytes, &scene) else { return };
+    match bytes.byte() {
+        0..=15 => contacts[0].share = Number::of(bytes, 1.0),
+        16..=31 => contacts[0].strip_y[0] = Number::of(bytes, 1e-2),
+        _ => {}
+    }
+    let capacity = if bytes.byte() < 16 { 3 } else { kstrip::patch::KSTRIP_PATCH_CAPACITY };
+    let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 128, bytes.given());
+    let mut strips =
+        poisoned_array::<kstrip_strip_power, { kstrip::patch::KSTRIP_PATCH_CAPACITY }>();
+    let mut count = poisoned::<u32>();
+    // SAFETY: NULL or as many elements as the capacity says.
+    let status = unsafe {
+        kstrip_contact_power_across(
+            given.input(0, &contacts[0]),
+            given.input(1, &scene.velocity),
+            scene.pair.model,
+            with_law.then_some(&law),
+            given.places(2, &mut strips),
+            capacity as u32,
+            given.output(3, &mut count),
+        )
+    };
+    if answered(status, untouched(&count) && all_untouched(&strips)) {
+        assert!(given.all(4));
+        for strip in &strips[..written(&count) as usize] {
+            let kstrip_strip_power { wheel_y, normal_force, fx, fy, slip, power, .. } =
+                written(strip);
+            assert!(finite(&[wheel_y, normal_force, fx, fy, slip, power]) && normal_force >= 0.0);
+        }
+    }
+}
+
 /// Three wheels, of which the second may be another: their results are those of single calls.
 fn wheels_on_rails(bytes: &mut Bytes) {
     let scene = Scene::new(bytes);
@@ -818,6 +854,7 @@ pub const ENTRIES: &[Entry] = &[
     ("contacts_from_gap", contacts_from_gap),
     ("motion", motion),
     ("wrench_from_contacts", wrench_from_contacts),
+    ("contact_power_across", contact_power_across),
     ("wheel_on_rail", wheel_on_rail),
     ("wheels_on_rails", wheels_on_rails),
     ("height_for_load", height_for_load),
