@@ -1496,9 +1496,9 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  * strip are (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin.
  * |F| is at most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse
  * replaces the zone of a strip: the strips that no gap and no neck divides from it, with their
- * load and their mean lengths, pressures and friction. The flexibilities of the strip are those of
- * this ellipse. KSTRIP_MODEL_TOTAL takes the forces of these ellipses as they are. It is cheap and
- * smooth, and has no strips and no share in adhesion.
+ * load and their mean lengths, pressures and friction. A strip is as flexible as one of the
+ * ellipse, or more if it is long for its pressure. KSTRIP_MODEL_TOTAL takes the forces of these
+ * ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
  *
  * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
  * jump, as long as all strips have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967

@@ -177,7 +177,7 @@ impl<F: Float> Field<F> {
                 *rule,
             )),
             Tractions::Strip(law) => {
-                let (y, bound, width) = (relative, half_length, F::zero());
+                let (y, bound, width) = (relative, [half_length; 2], F::zero());
                 FieldStrip::Strip(*law, StripGeometry { y, half_length, bound, width }, half_length)
             }
         })

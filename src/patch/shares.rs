@@ -1,5 +1,5 @@
 //! The forces of each strip of a patch in the model STRIP. The ellipse of its zone gives it the
-//! creepages for its `Y` and its friction bound `Π = (μ p₀)_strip/(μ p₀)`.
+//! creepages for its `Y`, its friction bound `Π = (μ p₀)_strip/(μ p₀)`, and its flexibility.
 
 use crate::contact::creepage::{Creepage, normalised};
 use crate::contact::{Contact, mismatch};
@@ -17,6 +17,10 @@ use heapless::Vec;
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so
 /// that the squares of its creepages fit an `f32`.
 const LEAST_BOUND: f64 = 1e-9;
+/// Axis ratio `a/b` for which the flexibility of a strip has half of its full deviation.
+const HALF_RATIO: f64 = 5.0;
+/// Deviations of a strip's pressure from the zone's that are rounding, in units of the last place.
+const ROUNDING: f64 = 32.0;
 
 /// What the strips of a zone need of its ellipse.
 pub(super) struct ZoneModel<F: Float> {
@@ -150,31 +154,47 @@ pub(super) struct ZoneUnits<F> {
     per_b: F,
     /// `1/(μ p₀)` of the zone's ellipse; zero without friction or load.
     per_bound: F,
+    /// `w`, and divided by the zone's mean of `l/p₀`.
+    weight: F,
+    weighted_pressure: F,
 }
 
 impl<F: Float> ZoneUnits<F> {
     pub fn new(zone: &Zone<F>) -> Self {
-        let Zone { y, contact, .. } = zone;
+        let Zone { y, contact, length_by_pressure, .. } = zone;
         let bound = contact.friction * contact.peak_pressure();
+        let ratio = (contact.a / contact.b).times(1.0 / HALF_RATIO);
+        // no deviation in a zone without load
+        let has_load = *length_by_pressure > F::TINY;
+        let weight = if has_load { (ratio * ratio).plus(1.0).inverse() } else { F::zero() };
         Self {
             y: *y,
             per_a: F::one() / contact.a,
             per_b: F::one() / contact.b,
             per_bound: if bound > F::zero() { F::one() / bound } else { F::zero() },
+            weight,
+            weighted_pressure: weight / length_by_pressure.max(F::TINY),
         }
     }
 
     /// A strip in units of the ellipse, and its width divided by the mean of all.
     pub fn geometry(&self, strip: &PatchStrip<F>, width: F) -> StripGeometry<F> {
-        // Π = (μ p₀)_strip/(μ p₀)
-        let bound = strip.friction * strip.peak_pressure * self.per_bound;
-        let bound = if self.per_bound > F::zero() { bound } else { F::one() };
+        let (pressure, per_bound) = (strip.peak_pressure, self.per_bound);
+        // p₀ (L_y − 1) = w (l/s̄ − p₀), nothing that is rounding, so that ellipses stay ellipses
+        let excess = strip.half_length * self.weighted_pressure - pressure * self.weight;
+        let rounding = pressure * F::EPSILON.times(ROUNDING);
+        let excess = excess - excess.clamped(-rounding, rounding);
+        // Π = (μ p₀)_strip/(μ p₀), and Π (L_y − 1)
+        let bound = strip.friction * pressure * per_bound;
+        let bound = if per_bound > F::zero() { bound } else { F::one() };
+        let more = strip.friction * excess * per_bound;
         StripGeometry {
             y: ((strip.y - self.y) * self.per_b).clamped(-F::one(), F::one()),
             half_length: strip.half_length * self.per_a,
             // The width of one of sixteen strips, whatever their number.
             width: width.times(0.125),
-            bound: bound.max(F::of(LEAST_BOUND)),
+            bound: [bound + more.times(0.5), bound + more]
+                .map(|bound| bound.max(F::of(LEAST_BOUND))),
         }
     }
 }

@@ -15,6 +15,20 @@
 //! ```
 //!
 //! Every strip counts by its load, so that a strip that begins to touch changes nothing at first.
+//!
+//! The **flexibility of a strip** is that of a strip of the ellipse if `l/p₀` is the same for all
+//! strips, as on an ellipse. Otherwise its neighbours load it more or less than those of a strip of
+//! the ellipse, in the tangential problem as in the normal one, whose kernels are alike:
+//!
+//! ```text
+//! s = l/p₀,  s̄ = Σ N s/Σ N,  w = 1/(1 + (a/(5 b))²)
+//! L_y = 1 + w (s/s̄ − 1),  L_x = (1 + L_y)/2
+//! ```
+//!
+//! Solutions of the linear problem on half-spaces (Boussinesq and Cerruti) on the strips of the
+//! patches of `tests/data/real` and `tests/data/patches` have flexibilities `∝ s^0.6` along `x`,
+//! and along `y` `∝ s^1.1` if `a/b` is 0.7, falling to `s^0.6` if it is 6. The mean of each over the
+//! zone, weighted with load, is 1.
 
 use crate::contact::Contact;
 use crate::number::{Float, pairs};
@@ -39,6 +53,9 @@ pub struct Zone<F> {
     pub y: F,
     /// The ellipse.
     pub contact: Contact<F>,
+    /// Half length divided by peak pressure, the mean of the strips weighted with load \[m/Pa\];
+    /// zero without load.
+    pub length_by_pressure: F,
 }
 
 /// Sums over connected strips.
@@ -53,6 +70,8 @@ struct ZoneSums<F> {
     pressure: F,
     /// `w l p`
     volume: F,
+    /// `w l²`
+    length: F,
 }
 
 impl<F: Float> ZoneSums<F> {
@@ -70,7 +89,9 @@ impl<F: Float> ZoneSums<F> {
         *sum_x += load * x;
         *sum_y += load * y;
         self.pressure += load * pressure * pressure;
-        self.volume += weight * (strip.width * units.per_width) * length * pressure;
+        let area = weight * (strip.width * units.per_width) * length;
+        self.volume += area * pressure;
+        self.length += area * length;
     }
 }
 
@@ -120,6 +141,7 @@ impl<F: Float> Zone<F> {
             && near(one.friction, two.friction, one.friction)
             && near(self.x, other.x, self.x.abs() + one.a)
             && near(self.y, other.y, self.y.abs() + one.b)
+            && near(self.length_by_pressure, other.length_by_pressure, self.length_by_pressure)
     }
 }
 
@@ -213,7 +235,8 @@ impl<F: Float> PatchView<'_, F> {
         let zero = F::zero();
         let units = &self.sizes;
         let Sizes { per_length, per_width, .. } = *units;
-        let ZoneSums { load, bound, square, centre: [x, y], pressure, volume } = *sums;
+        let ZoneSums { load, bound, square, centre: [x, y], pressure, .. } = *sums;
+        let ZoneSums { volume, length: lengths, .. } = *sums;
         // Smaller products have no digits left; such a zone carries no load.
         let load = if load.times(1e-6) > F::TINY { load } else { zero };
         let loaded = load > zero;
@@ -239,6 +262,9 @@ impl<F: Float> PatchView<'_, F> {
             mismatch: self.mismatch(),
         };
         let (x, y) = (own.centre_x + units.length * mean(x, zero), units.y + units.width * y);
-        Zone { x, y, contact }
+        // Σ N l/p / Σ N, N ∝ w l p
+        let length_by_pressure =
+            if loaded { units.length * (lengths / volume) * units.per_pressure } else { zero };
+        Zone { x, y, contact, length_by_pressure }
     }
 }

@@ -76,9 +76,11 @@ pub struct StripGeometry<F> {
     pub y: F,
     /// Half length divided by that of the patch, `C = c/a`, positive.
     pub half_length: F,
-    /// Peak of the strip's friction bound divided by that of the patch: `Π = (μ p₀)_strip/(μ p₀)`,
-    /// positive. On an ellipse with one coefficient of friction `Π = C`.
-    pub bound: F,
+    /// `Π L_x` and `Π L_y`, positive. `Π = (μ p₀)_strip/(μ p₀)` is the peak of the strip's friction
+    /// bound divided by that of the patch. `L_x` and `L_y` are the flexibilities of the strip
+    /// along `x` and `y` divided by those of a strip of the ellipse. On an ellipse with one
+    /// coefficient of friction both numbers are `C`.
+    pub bound: [F; 2],
     /// Width in `Y`, over which slip is averaged: that of one of sixteen strips at this place; 0
     /// for a line.
     pub width: F,
@@ -273,16 +275,16 @@ impl<T: Number> Distribution<T> {
 
     /// The creepages of one strip, and `σ`.
     pub fn strip(&self, strip: &StripGeometry<T::Base>) -> (StripCreepage<T>, T) {
-        let inverse = T::Base::one() / strip.bound;
+        let [inverse_x, inverse_y] = inverses(strip.bound);
         let y = strip.y;
-        // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/Π
+        // A_x = (a_x − ρ Y (1 + ε (0.4 − Y²)))/(Π L_x), A_y = a_y/(Π L_y)
         let profile = self.bend.scale((T::Base::of(0.4) - y * y) * y).shift(y);
         let [x, y, spread, spin] = scaled_down(
             [
-                (self.longitudinal - self.slope * profile).scale(inverse),
-                self.lateral.scale(inverse),
-                self.slope.scale(strip.width * inverse),
-                self.spin.scale(strip.half_length * inverse),
+                (self.longitudinal - self.slope * profile).scale(inverse_x),
+                self.lateral.scale(inverse_y),
+                self.slope.scale(strip.width * inverse_x),
+                self.spin.scale(strip.half_length * inverse_y),
             ],
             T::Base::of(STRIP_LIMIT),
         );

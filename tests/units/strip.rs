@@ -111,7 +111,7 @@ fn power_is_never_negative() {
 #[test]
 fn pure_creepage_gives_half_ellipses() {
     let solution = law([0.1, 0.28, 0.1, 0.0, 0.0], [1.0, 1.0]);
-    let geometry = StripGeometry { y: 0.0, half_length: 1.0, bound: 1.0, width: 0.0 };
+    let geometry = StripGeometry { y: 0.0, half_length: 1.0, bound: [1.0; 2], width: 0.0 };
     let two_kappa = solution.strip(&geometry).0.x;
     for i in 1..40 {
         let x = 1.0 - 0.05 * f64::from(i);
