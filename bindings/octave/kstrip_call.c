@@ -401,6 +401,29 @@ static mxArray *read_profile(int count, const mxArray *in[])
     return to;
 }
 
+static mxArray *orient_profiles(int count, const mxArray *in[])
+{
+    static const char *const names[] = {"y", "z", "unit", "notes"};
+    const mxArray *y = given(count, in, 0), *z = given(count, in, 1), *counts = given(count, in, 2);
+    if (!y || !z || !counts || !mxIsDouble(y) || !mxIsDouble(z) || !mxIsDouble(counts) || mxGetNumberOfElements(y) != mxGetNumberOfElements(z))
+        mexErrMsgIdAndTxt("kstrip:argument", "kstrip: y and z must be arrays of one length");
+    const size_t points = mxGetNumberOfElements(y);
+    const uint32_t profiles = (uint32_t)mxGetNumberOfElements(counts);
+    uint32_t *of_each = mxMalloc((profiles + 1) * sizeof *of_each), notes = 0;
+    for (uint32_t i = 0; i < profiles; i++) of_each[i] = (uint32_t)mxGetPr(counts)[i];
+    mxArray *to = mxCreateStructMatrix(1, 1, 4, (const char **)names);
+    mxArray *across = mxCreateDoubleMatrix(points, 1, mxREAL), *down = mxCreateDoubleMatrix(points, 1, mxREAL);
+    double unit = 0;
+    report seen = {{0}, {0}};
+    note(&seen, kstrip_orient_profiles(mxGetPr(y), mxGetPr(z), of_each, profiles, (uint32_t)scalar(given(count, in, 3), 0),
+                                       scalar(given(count, in, 4), 0), mxGetPr(across), mxGetPr(down), &unit, &notes), 0);
+    warn(&seen);
+    mxSetField(to, 0, "y", across), mxSetField(to, 0, "z", down);
+    mxSetField(to, 0, "unit", mxCreateDoubleScalar(unit)), mxSetField(to, 0, "notes", mxCreateDoubleScalar(notes));
+    mxFree(of_each);
+    return to;
+}
+
 static const kstrip_surface *surface_of(const mxArray *of, const char *name)
 {
     if (!of || !mxIsUint8(of) || mxGetNumberOfElements(of) != sizeof(kstrip_surface))
@@ -684,6 +707,8 @@ void mexFunction(int outputs, mxArray *output[], int inputs, const mxArray *inpu
         output[0] = from_contact(count, in);
     else if (strcmp(name, "read_profile") == 0)
         output[0] = read_profile(count, in);
+    else if (strcmp(name, "orient_profiles") == 0)
+        output[0] = orient_profiles(count, in);
     else if (strcmp(name, "profile_between") == 0)
         output[0] = profile_between(count, in);
     else if (strcmp(name, "prepare_profile") == 0)

@@ -66,6 +66,13 @@ assert(points.y, y', 1e-11);
 assert(points.z, (0.3 - sqrt(0.09 - y .^ 2))', 1e-11);
 assert(bitand(points.notes, 1), 0);
 delete(path);
+upside_down = {1e3 * y, 1e3 * y};
+points = kstrip_orient_profiles(upside_down, {-1e3 * (0.3 - sqrt(0.09 - y .^ 2)), -1e3 * (0.3 - sqrt(0.09 - y .^ 2))}, 'rail', 1e-3);
+assert(points.y{2}, y', 1e-11);
+assert(points.z{2}, (0.3 - sqrt(0.09 - y .^ 2))', 1e-11);
+assert(points.unit, 1e-3);
+turned = kstrip_orient_profiles(1e3 * y, -1e3 * (0.3 - sqrt(0.09 - y .^ 2)), 'rail', 1e-3);
+assert(turned.z, points.z{1});
 pair = struct('wheel_radius', 0.46, 'shear_modulus', 82e9, 'poisson_ratio', 0.28, 'friction', 0.3);
 position = [linspace(-2e-3, 2e-3, 5); zeros(1, 5); 2e-3 * ones(1, 5); zeros(1, 5)];
 position(2, :) = kstrip_height_for_load(rail, wheel, pair, position, 80e3);
@@ -147,6 +154,7 @@ fails(@() kstrip(contact, creepage, 'fastsim'), 'the model is not one of the KST
 fails(@() kstrip_evaluate(contact, creepage, wet(1:4)), 'friction must be a real double matrix with 5');
 fails(@() kstrip_wheel_on_rail(y, wheel, pair, position, velocity), 'rail must be made by kstrip_prepare_profile');
 fails(@() kstrip_read_profile('no such file'), 'cannot be opened');
+fails(@() kstrip_orient_profiles(y, y(2:end)), 'arrays of one length');
 fails(@() kstrip_profile_between(rail, rail, 2), 'the share of a profile');
 fails(@() kstrip_wheel_on_rail(rail, wheel, struct('radius', 1), position, velocity), 'unknown field radius');
 fails(@() kstrip_wheel_on_rail(rail, wheel, pair, [0.3; 0; 0; 0], velocity), 'column 1: ');
@@ -156,7 +164,7 @@ fails(@() kstrip_fit_friction(1e-3, 1e3, contact), 'fewer measured forces than p
 fails(@() kstrip_fit_friction(1e-3, 1e3, contact, [], 'slope'), 'fit must be some of friction, ratio');
 % Every function has help text
 for name = {'kstrip', 'kstrip_evaluate', 'kstrip_solve_motion', 'kstrip_contact_from_hertz', 'kstrip_patch_from_profile', 'kstrip_patch_from_contact', ...
-            'kstrip_prepare_profile', 'kstrip_read_profile', 'kstrip_profile_between', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
+            'kstrip_prepare_profile', 'kstrip_read_profile', 'kstrip_orient_profiles', 'kstrip_profile_between', 'kstrip_height_for_load', 'kstrip_wheel_on_rail', ...
             'kstrip_wheelset_on_track', 'kstrip_wheelset_settle', 'kstrip_fit_friction'}
     assert(numel(help(name{1})) > 300);
 end
