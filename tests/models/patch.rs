@@ -449,7 +449,8 @@ fn single_precision() {
             continue;
         }
         let found = force_and_moment(&found).map(f64::from);
-        assert_forces(&wanted, found, [6e-7, 2e-6, 5e-9].map(|share| share * unit));
+        // (the flexibility of a strip has roundings of its own)
+        assert_forces(&wanted, found, [8e-7, 2e-6, 5e-9].map(|share| share * unit));
         let view = single.view().unwrap();
         let slopes = differentiate_patch(&view, &slow, None, model).unwrap().derivatives.jacobian;
         assert!(slopes.as_flattened().iter().all(|slope| slope.is_finite()));
