@@ -106,9 +106,11 @@ impl<F: Float> Wheelset<'_, F> {
         match found {
             Ok(_) | Err(Error::ForceBeyondFriction) => found,
             Err(error) => {
+                // an implausible input is named before a wheel is lifted because of it
+                let named = right.cause().named(error, &position);
+                named.unless(named == error)?;
                 search.loaded.may_lift = true;
-                let found = search.balance_from_any(&start, &rates);
-                found.map_err(|_| right.cause().named(error, &position))
+                search.balance_from_any(&start, &rates).map_err(|_| error)
             }
         }
     }
