@@ -85,13 +85,21 @@ def measured_curve():
     return drawn
 
 
-def crossing():
-    """The picture of docs/cookbook/crossing.md, by the program of that page."""
-    program = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "cookbook" / "crossing.md").read_text(encoding="utf-8"), re.S)[0]
+def of_page(page):
+    """The picture of a page, by the program of that page."""
+    program = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "cookbook" / page).read_text(encoding="utf-8"), re.S)[0]
     names = {}
     os.chdir(ROOT)
     exec(program, names)
     return names["figure"]
+
+
+def crossing():
+    return of_page("crossing.md")
+
+
+def worn_profile():
+    return of_page("wear.md")
 
 
 def bogie():
@@ -120,7 +128,7 @@ def bogie():
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "figures" / "python"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, wheelset, wear, conicity, measured_curve, crossing, bogie):
+    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, wheelset, wear, worn_profile, conicity, measured_curve, crossing, bogie):
         with warnings.catch_warnings():
             # STRIP_1967 is shown beyond the range that its theory is for.
             warnings.simplefilter("ignore", kstrip.KstripWarning)

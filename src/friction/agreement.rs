@@ -35,7 +35,7 @@ const NOISE: f64 = 64.0;
 const SAME: f64 = 1e-3;
 /// Share of the way to a solution by which two plain steps may miss it where no other one is
 /// expected between.
-const FLAT: f64 = 0.2;
+const LEVEL: f64 = 0.2;
 /// Largest share of the way to a solution that a step goes where `g` falls, as that of TOTAL may.
 const CAREFUL: f64 = 0.25;
 
@@ -195,7 +195,7 @@ impl<F: Float, G: Fn(F) -> Result<F, Error>> FrictionEquation<'_, F, G> {
             // whether g is nearly flat up to the solution
             let is_flat = |from: F, step: F| {
                 let way = upper - from;
-                (step - way).abs() <= way.times(FLAT)
+                (step - way).abs() <= way.times(LEVEL)
             };
             if passes && is_flat(friction, step) && is_flat(far, far_step) {
                 return Ok(true);

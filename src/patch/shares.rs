@@ -20,7 +20,7 @@ const LEAST_BOUND: f64 = 1e-9;
 /// Axis ratio `a/b` for which the flexibility of a strip has half of its full deviation.
 const HALF_RATIO: f64 = 5.0;
 /// Deviations of a strip's pressure from the zone's that are rounding, in units of the last place.
-const ROUNDING: f64 = 32.0;
+const LIKE_ELLIPSE: f64 = 32.0;
 
 /// What the strips of a zone need of its ellipse.
 pub(super) struct ZoneModel<F: Float> {
@@ -182,7 +182,7 @@ impl<F: Float> ZoneUnits<F> {
         let (pressure, per_bound) = (strip.peak_pressure, self.per_bound);
         // p₀ (L_y − 1) = w (l/s̄ − p₀), nothing that is rounding, so that ellipses stay ellipses
         let excess = strip.half_length * self.weighted_pressure - pressure * self.weight;
-        let rounding = pressure * F::EPSILON.times(ROUNDING);
+        let rounding = pressure * F::EPSILON.times(LIKE_ELLIPSE);
         let excess = excess - excess.clamped(-rounding, rounding);
         // Π = (μ p₀)_strip/(μ p₀), and Π (L_y − 1)
         let bound = strip.friction * pressure * per_bound;

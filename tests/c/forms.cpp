@@ -211,14 +211,14 @@ int main()
     const auto summed = kstrip::wrench_from_contacts<double>(contacts, moves, pair.model, &wet);
     expect(same(summed.wrench, wrench) && same(summed.derivatives, slopes), "wrench_from_contacts: both forms");
 
-    const auto across = kstrip::contact_power_across(contacts[0], moves, pair.model, &wet);
-    std::array<kstrip::strip_power, kstrip::patch_capacity> strips{};
-    fine(kstrip::contact_power_across<double>(contacts[0], moves, pair.model, &wet, strips, count), "contact_power_across");
-    expect(count == across.size() && count > 8 && same(across[3], strips[3]), "contact_power_across: both forms");
-    double power = 0;
-    for (const auto &strip : across)
-        power += strip.power;
-    expect(std::abs(power - wrench.dissipation) < 1e-9 * power, "contact_power_across: dissipation");
+    const auto worn = kstrip::contact_power_across(contacts[0], moves, pair.model, &wet);
+    std::array<kstrip::strip_power, kstrip::patch_capacity> powers{};
+    fine(kstrip::contact_power_across<double>(contacts[0], moves, pair.model, &wet, powers, count), "contact_power_across");
+    expect(count == worn.size() && count > 8 && same(worn[3], powers[3]), "contact_power_across: both forms");
+    double dissipated = 0;
+    for (const auto &strip : worn)
+        dissipated += strip.power;
+    expect(std::abs(dissipated - wrench.dissipation) < 1e-9 * dissipated, "contact_power_across: dissipation");
 
     // The wheelset of two such wheels
     kstrip::track track;

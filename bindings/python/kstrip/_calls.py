@@ -250,7 +250,7 @@ class Elements:
         return found
 
     def run_many(self, name: str, shared: Sequence[Any], inputs: Sequence[str], structure: str, outputs: Callable[[int, int], Sequence[Any]],
-                 sweep: Sweep) -> NDArray[np.int32]:
+                 sweep: Sweep) -> list[int]:
         """Calls of a C function for many elements, one for each block of them, and the status of each element.
 
         shared: the first arguments. inputs: the names of the arguments that follow the count. outputs(first, count): the arguments
@@ -260,18 +260,19 @@ class Elements:
         arrays = [self._begin(each) for each in inputs]
 
         def work(first: int) -> int:
-            statuses = found[first : first + _BLOCK]
-            count = len(statuses)
+            place = found[first : first + _BLOCK]
+            count = len(place)
             given = [word for begin, stride in arrays for word in (begin and begin + first * stride, stride)]
             space = memory.of(structure, self.single)
-            status = function(*shared, count, *given, space.address, *outputs(first, count), statuses.ctypes.data)
-            if status < 0 <= statuses.min():
+            status = function(*shared, count, *given, space.address, *outputs(first, count), place.ctypes.data)
+            if status < 0 <= place.min():
                 raise KstripError(status)
             return count
 
         with sweep.bar(self.count, name) as show:
             sweep.each(range(0, self.count, _BLOCK), work, show)
-        return found
+        statuses: list[int] = found.tolist()
+        return statuses
 
     def _begin(self, name: str) -> tuple[Optional[int], int]:
         """Where the elements of an argument begin, and their distance in bytes."""

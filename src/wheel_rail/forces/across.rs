@@ -40,7 +40,7 @@ pub struct StripPower<F> {
 }
 
 impl<F: Float> StripPower<F> {
-    fn is_finite(&self) -> bool {
+    fn fits(&self) -> bool {
         let Self { wheel_y, width, normal_force, fx, fy, slip, power } = *self;
         are_finite(&[wheel_y, width, normal_force, fx, fy, slip, power])
     }
@@ -76,7 +76,7 @@ pub fn power_across<F: Float>(
         StripPower { wheel_y, width, normal_force, fx, fy, slip, power }
     };
     let strips = strips.enumerate().map(found);
-    Error::Overflow.unless(strips.clone().all(|strip| strip.is_finite()))?;
+    Error::Overflow.unless(strips.clone().all(|strip| strip.fits()))?;
     strips.for_each(visit);
     Ok(if contact.is_conformal() { warning.worse(Warning::AngleRange) } else { warning })
 }
