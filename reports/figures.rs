@@ -8,8 +8,6 @@ mod panel;
 mod runs;
 #[path = "figures/scenes.rs"]
 mod scenes;
-#[path = "figures/wheelset.rs"]
-mod wheelset;
 
 use kstrip::contact::Contact;
 use kstrip::contact::creepage::Parameters;
@@ -729,7 +727,6 @@ fn main() -> Drawn {
     draw_figure_9(&folder)?;
     draw_creep_curves(&folder)?;
     runs::draw(&folder)?;
-    wheelset::draw(&folder)?;
     scenes::draw(&folder)?;
     println!("figures are in docs/figures");
     Ok(())

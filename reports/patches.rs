@@ -27,22 +27,10 @@ use pictures::{
 };
 use std::path::Path;
 
-/// Profiles in pictures, and what they are.
-const SHOWN: [(&str, &str); 6] = [
-    ("two_100_500", "radii of 100 and 500 mm"),
-    ("sextic", "flat bottom, sixth power of y"),
-    ("bump_4.5_0.07", "two bottoms, 9 mm apart"),
-    ("worn_step", "arcs of 500, 50, 800 and 60 mm"),
-    ("s1002_uic60_1", "S1002 on 60E1, shift 1 mm"),
-    ("random_11", "random waves, two zones"),
-];
-/// Real patches in pictures, and what they are.
-const SHOWN_REAL: [(&str, &str); 4] = [
-    ("mb_f006_1", "S1002 on 60E1, narrow"),
-    ("uicworn_p022_1", "worn profiles, wide"),
-    ("mb_p082_1", "S1002 on 60E1, two zones"),
-    ("car7216_p019_1", "profiles in service"),
-];
+/// The profile of the picture, and its title.
+const SHOWN: (&str, &str) = ("s1002_uic60_1", "S1002 on 60E1, shift 1 mm");
+/// The real patch of the picture, and its title.
+const SHOWN_REAL: (&str, &str) = ("car7216_p019_1", "profiles in service");
 const COUNT: StripCount = StripCount::Sixteen;
 
 /// A profile, its patch, and how far it is from CONTACT.
@@ -276,19 +264,19 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
 fn merging_table(report: &mut Report) {
     report.line("\n## Zones that merge\n");
     report.line(
-        "A profile with two bottoms 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed \
+        "A profile with two local minima 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed \
          harder and harder. Two zones grow, touch and become one. The table",
     );
     report.line(
-        "has the largest change when the load grows by 1/10 000, of the force in units of \
-         `μ N` and of the approach as a share: nothing jumps.\n",
+        "has the largest change of the force, in units of `μ N`, and the largest relative change \
+         of the approach for a load step of 0.01 %. Neither jumps.\n",
     );
     report.header(&["H [µm]", "load [kN]", "zones", "force, STRIP", "force, TOTAL", "approach"]);
     let y: Vec<f64> = (-1000..=1000).map(|i| 20e-6 * f64::from(i)).collect();
     let creepage = Creepage { longitudinal: 3e-4, lateral: 5e-4, spin: 0.1 };
-    for crest in [70e-6, 30e-6] {
+    for height in [70e-6, 30e-6] {
         let distance: Vec<f64> =
-            y.iter().map(|y| crest * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
+            y.iter().map(|y| height * ((y / 4.5e-3).powi(2) - 1.0).powi(2)).collect();
         let mut load = 50e3;
         let mut last = None::<([[f64; 2]; 2], f64)>;
         let (mut steps, mut zones) = ([0.0_f64; 3], Vec::new());
@@ -316,7 +304,7 @@ fn merging_table(report: &mut Report) {
         }
         let zones: Vec<String> = zones.iter().map(usize::to_string).collect();
         report.row([
-            format!("{:.0}", crest * 1e6),
+            format!("{:.0}", height * 1e6),
             "50 to 250".into(),
             zones.join(", then "),
             format!("{:.5}", steps[0]),
@@ -447,8 +435,8 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
     ];
     panel(canvas, 0, ["load/approach^1.5 [GN/m^1.5]", "approach [m], a parabola"], axes, &light)?;
     let y: Vec<f64> = (-400..=400).map(|i| 1e-4 * f64::from(i)).collect();
-    let bottoms = |y: &f64| ((y - 6e-3).powi(2) / 0.3).min((y + 5e-3).powi(2) / 0.2 + 12e-6);
-    let distance: Vec<f64> = y.iter().map(bottoms).collect();
+    let minima = |y: &f64| ((y - 6e-3).powi(2) / 0.3).min((y + 5e-3).powi(2) / 0.2 + 12e-6);
+    let distance: Vec<f64> = y.iter().map(minima).collect();
     let birth: Vec<(f64, f64)> = (0..=200)
         .map(|i| {
             let approach = 8e-6 + 0.06e-6 * f64::from(i);
@@ -479,7 +467,7 @@ fn draw_sweeps(canvas: &Canvas) -> Drawn {
         Axis::linear(-2.0, 2.0, &[-2.0, -1.0, 0.0, 1.0, 2.0]),
         Axis::linear(0.0, 0.5, &[0.0, 0.1, 0.2, 0.3, 0.4, 0.5]),
     ];
-    panel(canvas, 2, ["Fx/(µ N)", "shift of two bottoms [mm]"], axes, &moved)
+    panel(canvas, 2, ["Fx/(µ N)", "shift of two minima [mm]"], axes, &moved)
 }
 
 /// One of 1, 2, 5 times a power of ten: ticks at this distance are two to five.
@@ -580,42 +568,6 @@ fn draw_real(case: &Case, what: &str, canvas: &Canvas) -> Drawn {
     Ok(())
 }
 
-/// What the C program of the introduction prints.
-fn output() -> String {
-    let y: Vec<f64> = (0..241).map(|i| 0.1e-3 * f64::from(i - 120)).collect();
-    let distance: Vec<f64> = y
-        .iter()
-        .map(|y| {
-            let s = y / 4.5e-3;
-            70e-6 * (s * s - 1.0) * (s * s - 1.0) + 3e-6 * s
-        })
-        .collect();
-    let (patch, found) =
-        Full::from_profile(&Profile::new(&y, &distance).unwrap(), &pressed(80e3), COUNT).unwrap();
-    let creepage = Creepage { longitudinal: 1e-3, lateral: 5e-4, spin: 0.3 };
-    let view = patch.view().unwrap();
-    let forces = solver::solve_patch(&view, &creepage, Model::Strip).unwrap();
-    let turning = |y: f64| Creepage { longitudinal: 0.0, lateral: 0.0, spin: y / 80e-3 / 0.46 };
-    let own: Vec<_> = view.strips().iter().map(|strip| turning(strip.y)).collect();
-    let curved = view.with_own_creepages(&own).unwrap();
-    let of_curved = solver::solve_patch(&curved, &creepage, Model::Strip).unwrap();
-    format!(
-        "approach {:.1} um, {:.0} kN/mm, {:.0} MPa at y = {:.1} mm\n{:.0} N, {:.0} N, {:.1} N m, \
-         {:.0} % sticks\n{:.0} N, {:.0} N, {:.1} N m on a curved surface",
-        found.approach * 1e6,
-        found.stiffness * 1e-6,
-        found.peak_pressure * 1e-6,
-        found.peak_y * 1e3,
-        forces.fx,
-        forces.fy,
-        forces.mz,
-        forces.adhesion * 100.0,
-        of_curved.fx,
-        of_curved.fy,
-        of_curved.mz
-    )
-}
-
 /// Quickest of many rounds, in µs for each call.
 fn quickest(calls: usize, mut round: impl FnMut()) -> f64 {
     let rounds = (0..30).map(|_| clock::took(&mut round));
@@ -650,7 +602,7 @@ fn print_costs() {
                         }
                     }
                 });
-                let zones = if several { "several zones or a neck" } else { "one zone" };
+                let zones = if several { "several regions or a narrowing" } else { "one zone" };
                 println!("  {what}, {} patches of {zones}: {cost:.2}", some.len());
             }
         }
@@ -713,7 +665,7 @@ fn main() {
     let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/evidence");
     let list: Vec<Compared> = profiles().into_iter().map(Compared::new).collect();
     let mut report = Report(String::new());
-    report.line(include_str!("patches/introduction.txt").trim_end().replace("OUTPUT", &output()));
+    report.line(include_str!("patches/introduction.txt").trim_end());
     report.line("");
     profile_tables(&mut report, &list);
     other_tables(&mut report);
@@ -722,33 +674,25 @@ fn main() {
     smoothing_table(&mut report, &rails);
     noise_table(&mut report, &list);
     merging_table(&mut report);
-    report.line("\n## Lengths and pressures\n");
-    report.line(
-        "Each line is a strip: on the left its half length, on the right its peak \
-         pressure. The dots are CONTACT's rows of cells.\n",
-    );
     std::fs::create_dir_all(docs.join("patches")).unwrap();
-    for (name, what) in SHOWN {
-        let found = list.iter().find(|found| found.case.name == name).unwrap();
-        picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
-            draw(found, what, canvas)
-        })
-        .unwrap();
-        report.line(format!("![Half lengths and pressures of {name}](patches/{name}.svg)\n"));
-    }
-    report.line("## Real patches\n");
+    let (name, what) = SHOWN;
+    let found = list.iter().find(|found| found.case.name == name).unwrap();
+    picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
+        draw(found, what, canvas)
+    })
+    .unwrap();
+    report.line("\n## A real patch\n");
     report.line(
         "On the left are both ends of each strip. The data have only the largest pressure \
          of CONTACT, the dashed line.\n",
     );
-    for (name, what) in SHOWN_REAL {
-        let case = rails.iter().find(|case| case.name == name).unwrap();
-        picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
-            draw_real(case, what, canvas)
-        })
-        .unwrap();
-        report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
-    }
+    let (name, what) = SHOWN_REAL;
+    let case = rails.iter().find(|case| case.name == name).unwrap();
+    picture(&docs.join(format!("patches/{name}.svg")), (720, 255), |canvas| {
+        draw_real(case, what, canvas)
+    })
+    .unwrap();
+    report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     report.line("## Light contact, zones that appear, profiles that move\n");
     report.line(
         "Left: the load of a light contact of a parabola divided by the power 3/2 of its approach \
@@ -756,7 +700,7 @@ fn main() {
     );
     report.line(
         "while two bodies approach, and the load has no step. Right: a profile with two \
-         bottoms moves sideways at 80 kN, and the force has no step.\n",
+         local minima moves sideways at 80 kN, and the force has no step.\n",
     );
     picture(&docs.join("patches/sweeps.svg"), (880, 260), draw_sweeps).unwrap();
     report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Builds the library for microcontrollers, runs the firmware examples on simulated boards, measures.
 #
-#     scripts/firmware.sh           everything; writes the measured part of docs/reference/embedded.md
+#     scripts/firmware.sh           everything; writes the measured part of docs/evidence/microcontrollers.md
 #                                   and benches/firmware.txt
 #     scripts/firmware.sh quick     builds, runs self-test and twin disc on both boards
 #     scripts/firmware.sh proof     only: nothing can panic, nothing allocates, on a Cortex-M4F
 #     scripts/firmware.sh ci        everything with fewer cases, no limits of instructions, and
-#                                   docs/reference/embedded.md left as it is
+#                                   docs/evidence/microcontrollers.md left as it is
 #
 # benches/firmware.txt has flash, stack and instructions of each function. A figure that is more than 3 %
 # larger fails; with KSTRIP_WRITE_LIMITS=1 it becomes the new limit, which the commit should mention.
@@ -483,15 +483,15 @@ if [ -f $limits ] && [ -z "${KSTRIP_WRITE_LIMITS:-}" ]; then
         miss "beyond benches/firmware.txt; KSTRIP_WRITE_LIMITS=1 makes these the limits"
     fi
 fi
-# Between the two marks of docs/reference/embedded.md
+# Between the two marks of docs/evidence/microcontrollers.md
 if [ "$mode" = all ]; then
     awk -v table="$out/table.md" '
         /<!-- measured: begin -->/ { print; while ((getline line < table) > 0) print line; inside = 1 }
         /<!-- measured: end -->/ { inside = 0 }
-        !inside && !/<!-- measured: begin -->/ { print }' docs/reference/embedded.md >"$out/embedded.md"
-    cp "$out/embedded.md" docs/reference/embedded.md
+        !inside && !/<!-- measured: begin -->/ { print }' docs/evidence/microcontrollers.md >"$out/microcontrollers.md"
+    cp "$out/microcontrollers.md" docs/evidence/microcontrollers.md
     [ $failures != 0 ] || { cat "$out/limits.head" "$out/limits.txt"; } >$limits
-    say "docs/reference/embedded.md rewritten"
+    say "docs/evidence/microcontrollers.md rewritten"
 fi
 [ $failures = 0 ] || { say "firmware: $failures checks failed"; exit 1; }
 say "firmware: all checks passed"

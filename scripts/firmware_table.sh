@@ -1,4 +1,4 @@
-# Prints the measured part of docs/reference/embedded.md; sourced by firmware.sh, whose variables it
+# Prints the measured part of docs/evidence/microcontrollers.md; sourced by firmware.sh, whose variables it
 # uses.
 
 # Another column of budget.txt, the ninth: divisions and square roots. Each takes 13 cycles more

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws every picture in docs/: figures of the paper, of the tour and of the cookbook, the accuracy
+# Draws every picture in docs/: the conventions, figures of the paper, of the tour and of the cookbook, the accuracy
 # report with its maps, the patches, the report of speed against error (its times are those of this
 # machine), the browser demo (in Chromium), the page on
 # Python (with matplotlib; PYTHON names another Python).
@@ -15,3 +15,4 @@ sh scripts/web.sh
 "${PYTHON:-python3}" tests/web/page.py --picture docs/figures/page.png
 sh scripts/library.sh
 "${PYTHON:-python3}" bindings/python/pictures.py
+"${PYTHON:-python3}" scripts/conventions.py

@@ -131,3 +131,8 @@ fn a_panic_can_be_reached() -> ! {
         core::hint::spin_loop();
     }
 }
+
+/// The programs of docs/start/rust.md run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/start/rust.md")]
+struct StartInRust;

@@ -124,7 +124,7 @@ again = kstrip_fit_friction(creep(1, :), layered.force(1, :), contact, [0; 0.5; 
 assert(again.status == 0 && again.residual < 1e-2);
 assert(again.law([1, 7]), soft([1, 7]), -1e-4);
 assert(kstrip_evaluate(contact, creep, again.law).force, layered.force, 0.1);
-% The measured points of a locomotive: the law of docs/start/python.md, here and there
+% The measured points of a locomotive: the law of docs/reference/python.md, here and there
 measured = dlmread(fullfile(fileparts(mfilename('fullpath')), '..', '..', 'tests', 'data', 'eurosprinter_measured.csv'), ',', 1, 0)';
 rig = [6.304e-3; 12.61e-3; 106.7e3; 82e9; 0.28; 0.33];
 law = kstrip_fit_friction(measured(1, :) / 100, measured(2, :) * 106.7e3, rig, [0.35; 0.5; 0.3; 10; 0.3], ...

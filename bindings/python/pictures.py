@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/start/python.md and docs/guide/7-adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
+"""Writes the pictures of docs/reference/python.md and docs/guide/7-adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """

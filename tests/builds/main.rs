@@ -9,5 +9,6 @@ mod names;
 mod no_alloc;
 mod other_languages;
 mod packaging;
+mod pages;
 mod proofs;
 mod structure;

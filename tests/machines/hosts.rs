@@ -1,5 +1,5 @@
 //! The programs of hosts/: kstrip inside integrators, simulators and standard interfaces. Each
-//! checks its own figures, and those of docs/reference/hosts.md are compared with the page.
+//! checks its own figures, and those of docs/evidence/hosts.md are compared with the page.
 
 use kstrip_testing::toolchain::{cpp_compilers, output_of, read, released, root, say, scratch};
 use std::path::PathBuf;
@@ -35,17 +35,17 @@ fn numbers(text: &str) -> Vec<f64> {
     text.split(|c| !inside(c)).filter_map(|word| word.parse().ok()).collect()
 }
 
-/// The numbers in the last cell of a host's row in docs/reference/hosts.md are these, each to a
+/// The numbers in the last cell of a host's row in docs/evidence/hosts.md are these, each to a
 /// tolerance.
 fn assert_told(host: &str, found: &[(f64, f64)]) {
-    let page = read("docs/reference/hosts.md");
+    let page = read("docs/evidence/hosts.md");
     let row = page.lines().find(|line| line.starts_with(&format!("| {host} |"))).expect("a row");
     let told = numbers(row.trim_end_matches([' ', '|']).rsplit('|').next().expect("a cell"));
-    assert_eq!(told.len(), found.len(), "docs/reference/hosts.md, {host}: {told:?}");
+    assert_eq!(told.len(), found.len(), "docs/evidence/hosts.md, {host}: {told:?}");
     for (told, (found, tolerance)) in told.iter().zip(found) {
         assert!(
             (told - found).abs() <= *tolerance,
-            "docs/reference/hosts.md, {host}: {told} is {found}"
+            "docs/evidence/hosts.md, {host}: {told} is {found}"
         );
     }
 }
@@ -113,7 +113,7 @@ fn fmi_wheel_on_a_rail() {
         .arg(released("libkstrip.so"));
     let text = output_of(&mut check);
     assert_eq!(text.matches("validates without a finding").count(), 2, "{text}");
-    // docs/reference/hosts.md: within 1e-9 mu N of differences
+    // docs/evidence/hosts.md: within 1e-9 mu N of differences
     let off: Vec<f64> = text
         .split("against differences: ")
         .skip(1)

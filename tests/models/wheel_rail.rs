@@ -128,8 +128,8 @@ pub(crate) fn mean_and_p95(mut errors: Vec<f64>) -> [f64; 2] {
     [errors.iter().sum::<f64>() / errors.len() as f64, p95]
 }
 
-/// The page on wheel and rail.
-pub(crate) const PAGE: &str = "docs/guide/4-wheel.md";
+/// The page with the errors of wheels.
+pub(crate) const PAGE: &str = "docs/evidence/wheels.md";
 
 /// 354 wheels on real rails, 345 of them under 30 degrees of range, loads with creep forces as
 /// CONTACT's: heights in um, forces divided by mu N, number of contacts. Beyond 30 degrees only

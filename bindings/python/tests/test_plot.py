@@ -112,7 +112,8 @@ class Pictures(unittest.TestCase):
             plot.measured_curve(pictures.CONTACT, [1.0], [1.0, 2.0], kstrip.friction(0.3))
 
     def test_the_page_shows_all(self):
-        page = (ROOT / "docs" / "start" / "python.md").read_text(encoding="utf-8")
+        pages = (ROOT / "docs" / folder / "python.md" for folder in ("start", "reference"))
+        page = "".join(page.read_text(encoding="utf-8") for page in pages)
         for name in ALL:
             picture = (ROOT / "docs" / "figures" / "python" / f"{name}.svg").read_text(encoding="utf-8")
             self.assertIn("fill: #ffffff", picture.split('<g id="axes_1">')[0], "a background, for dark pages too")
