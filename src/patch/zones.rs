@@ -27,8 +27,8 @@
 //!
 //! Solutions of the linear problem on half-spaces (Boussinesq and Cerruti) on the strips of the
 //! patches of `tests/data/real` and `tests/data/patches` have flexibilities `∝ s^0.6` along `x`,
-//! and along `y` `∝ s^1.1` if `a/b` is 0.7, falling to `s^0.6` if it is 6. The mean of each over the
-//! zone, weighted with load, is 1.
+//! and along `y` `∝ s^1.1` if `a/b` is 0.7, falling to `s^0.6` if it is 6. The mean of each over
+//! the zone, weighted with load, is 1.
 
 use crate::contact::Contact;
 use crate::number::{Float, pairs};

@@ -216,8 +216,8 @@ int main()
     fine(kstrip::contact_power_across<double>(contacts[0], moves, pair.model, &wet, powers, count), "contact_power_across");
     expect(count == worn.size() && count > 8 && same(worn[3], powers[3]), "contact_power_across: both forms");
     double dissipated = 0;
-    for (const auto &strip : worn)
-        dissipated += strip.power;
+    for (const auto &each : worn)
+        dissipated += each.power;
     expect(std::abs(dissipated - wrench.dissipation) < 1e-9 * dissipated, "contact_power_across: dissipation");
 
     // The wheelset of two such wheels

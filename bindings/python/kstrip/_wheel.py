@@ -150,7 +150,7 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     >>> print(f"{1e-3 * on.wrench.force[1]:.1f} kN, {len(on.contacts)} contact at {np.degrees(on.contacts[0].angle):.1f} degrees")
     -3.8 kN, 1 contact at -6.8 degrees
     >>> print(f"creepage {100 * on.creepages[0].longitudinal:.2f} %, T-gamma {on.t_gamma[0]:.0f} N")
-    creepage -0.25 %, T-gamma 51 N
+    creepage -0.25 %, T-gamma 52 N
     """
     if on_error == "raise" and are_values(pair, position, velocity, friction) and not is_single(rail):
         return _one_wheel(rail, wheel, pair, position, velocity, friction, by_position, contacts)
@@ -167,7 +167,7 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
 
     inputs = ["pair", "position", "velocity", "friction"]
     found = elements.run_many("kstrip_wheels_on_rails", profiles, inputs, "wheel_workspace", outputs, sweep)
-    listed = lists.batch(int(wrenches["contacts"].max(initial=0)))
+    listed = lists.batch(int(np.where(np.array(found) >= 0, wrenches["contacts"].reshape(-1), 0).max(initial=0)))
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
                        None if moved is None else elements.result(WrenchByPosition, moved, statuses), listed,

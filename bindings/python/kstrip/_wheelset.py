@@ -257,7 +257,7 @@ def wheelset_on_track(wheelset: Wheelset, track: Track, position: Many[WheelPosi
     >>> print(f"Y {1e-3 * on.forces.rail[0, 1]:.1f} kN and {1e-3 * on.forces.rail[1, 1]:.1f} kN")
     Y 1.8 kN and -0.2 kN
     >>> print(f"T-gamma of the right wheel {on.right.t_gamma.sum():.0f} N")
-    T-gamma of the right wheel 14 N
+    T-gamma of the right wheel 15 N
     """
     single, structures, kept = _structures(wheelset, track)
     sweep, many = sweep_of(threads, progress), _many(wheelset, track)
@@ -317,7 +317,7 @@ def wheelset_settle(wheelset: Wheelset, track: Track, start: Many[WheelPosition]
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5))
     >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 160e3)
     >>> print(1e-3 * still.forces.rail[:, 0, 2].round(-2))
-    [78.3 78.8 80.  81.2 81.7]
+    [78.3 78.9 80.  81.1 81.7]
     """
     single, structures, kept = _structures(wheelset, track)
     sweep = sweep_of(threads, progress)
