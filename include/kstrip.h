@@ -2216,7 +2216,7 @@ typedef struct kstrip_strip_power {
 } kstrip_strip_power;
 
 /**
- * Load, sliding velocity and frictional power of each strip of a contact, for the wear of profiles.
+ * Load, sliding velocity and frictional power of each strip of a contact: what wears profiles.
  *
  * Add the strips of all contacts at their wheel_y; y on the rail is that of the position plus
  * strip_y of the contact. The powers add up to the dissipation of kstrip_wrench_from_contacts()
