@@ -1,7 +1,7 @@
 //! The properties of the fuzz targets without a fuzzer: random bytes, and what the fuzzer once
 //! found.
 //!
-//! `KSTRIP_FUZZ_CASES` sets the number of cases, 5000 otherwise (docs/evidence/reliability.md has a
+//! `KSTRIP_FUZZ_CASES` sets the number of cases, 5000 otherwise (docs/maintain/runs.md has a
 //! longer run); `PROPTEST_RNG_SEED` draws others. `KSTRIP_FUZZ_REPLAY` names a file or folder of
 //! inputs to run instead, for example what libFuzzer left.
 

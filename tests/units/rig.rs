@@ -1,5 +1,5 @@
 //! What the inverse promises, with the solutions counted. `KSTRIP_CASES=100000 cargo test --release
-//! --test units rig:: -- --nocapture` prints the figures of docs/evidence/reliability.md.
+//! --test units rig:: -- --nocapture` prints the figures of docs/maintain/runs.md.
 
 use kstrip_testing::prelude::*;
 
