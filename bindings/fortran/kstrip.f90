@@ -1043,7 +1043,7 @@ module kstrip
          type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
       end function
 
-      !> Load, sliding velocity and frictional power of each strip of a contact, for the wear of profiles.
+      !> Load, sliding velocity and frictional power of each strip of a contact: what wears profiles.
       integer(c_int32_t) function kstrip_contact_power_across(contact, velocity, model, friction, strips, capacity, count) bind(c)
          import
          type(kstrip_wheel_contact), intent(in) :: contact
