@@ -786,7 +786,7 @@ fn cell(
 
 impl Report {
     fn histograms(&self, folder: &Path) -> Drawn {
-        let colours = [PURPLE, GREEN, ORANGE, BLUE, BLUE];
+        let colours = [GREEN, AMBER, SKY, VERMILION, BLUE];
         let names = ["STRIP_1967,", "FASTSIM", "FaStrip", "STRIP,", "TOTAL"];
         for (file, title, open) in [
             ("histogram_open.svg", "Error of the force, open.csv (854 cases)", true),
@@ -883,7 +883,7 @@ fn field_picture(path: &Path) -> Drawn {
     ];
     let cases = fields();
     let (width, height) = (270.0, 180.0);
-    picture(path, (4 * 320 + 40, 560), |canvas| {
+    picture(path, (2 * 320 + 40, 1064), |canvas| {
         write(
             canvas,
             "Traction along the strip y ≈ 0.4 b, in μ p0: along rolling (above), lateral (below)",
@@ -905,8 +905,8 @@ fn field_picture(path: &Path) -> Drawn {
             let end = (1.0 - nearest * nearest).sqrt();
             for component in 0..2 {
                 let plot = Plot {
-                    left: 52.0 + 320.0 * k as f64,
-                    top: 70.0 + 240.0 * component as f64,
+                    left: 52.0 + 320.0 * (k % 2) as f64,
+                    top: 70.0 + 240.0 * component as f64 + 480.0 * (k / 2) as f64,
                     width,
                     height,
                     x: Axis::linear(-1.0, 1.0, &[-1.0, -0.5, 0.0, 0.5, 1.0]),
@@ -925,7 +925,7 @@ fn field_picture(path: &Path) -> Drawn {
                         .collect();
                     plot.curve(canvas, &bound, GREY, 1.0)?;
                 }
-                for (model, ink) in [(Model::Strip1967, ORANGE), (Model::Strip, BLUE)] {
+                for (model, ink) in [(Model::Strip1967, GREEN), (Model::Strip, VERMILION)] {
                     let (contact, field) = case.solve::<f64>(model);
                     let unit = FRICTION * contact.peak_pressure();
                     let curve: Vec<_> = (0..=200)
@@ -943,14 +943,15 @@ fn field_picture(path: &Path) -> Drawn {
                 }
             }
         }
-        let y = 534.0;
+        let mut y = 1014.0;
         write(canvas, "x/a, rolling to the right", (40.0, y), 13, Align::Left, INK)?;
         let mut x = 260.0;
-        for (ink, text) in [(BLUE, "STRIP"), (ORANGE, "STRIP_1967"), (GREY, "friction bound")] {
+        for (ink, text) in [(VERMILION, "STRIP"), (GREEN, "STRIP_1967"), (GREY, "friction bound")] {
             line(canvas, &[(x, y), (x + 26.0, y)], ink, 2.0)?;
             write(canvas, text, (x + 32.0, y), 13, Align::Left, INK)?;
             x += 150.0;
         }
+        (x, y) = (260.0, y + 26.0);
         for (filled, text) in [(true, "CONTACT, sticks"), (false, "CONTACT, slips")] {
             dot(canvas, (x + 10.0, y), 2.4, INK, filled)?;
             write(canvas, text, (x + 22.0, y), 13, Align::Left, INK)?;
@@ -962,7 +963,7 @@ fn field_picture(path: &Path) -> Drawn {
 
 fn coefficient_picture(path: &Path) -> Drawn {
     let cases = coefficient_cases();
-    let ratios = [(0.0, BLUE), (0.25, GREEN), (0.28, ORANGE), (0.5, PURPLE)];
+    let ratios = [(0.0, BLUE), (0.25, GREEN), (0.28, VERMILION), (0.5, PURPLE)];
     picture(path, (880, 620), |canvas| {
         let title = "Linear coefficients against CONTACT";
         write(canvas, title, (50.0, 22.0), 17, Align::Left, INK)?;

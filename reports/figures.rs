@@ -2,6 +2,8 @@
 //! SVG under `docs/figures/`, and the pictures of the tour, of the models and of the cookbook:
 //! `cargo bench --bench figures`. Points of CONTACT are those of `tests/data/open.csv`.
 
+#[path = "common/palette.rs"]
+mod palette;
 #[path = "figures/panel.rs"]
 mod panel;
 #[path = "figures/runs.rs"]
@@ -14,6 +16,7 @@ use kstrip::contact::creepage::Parameters;
 use kstrip::contact::totals::StripCount;
 use kstrip::forces::{self, Field, Model, Options};
 use kstrip::strip_1967::strip::State;
+use palette::{BLUE, GREEN, PURPLE, VERMILION};
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use std::error::Error;
@@ -645,9 +648,7 @@ fn draw_diagram(folder: &Path, diagram: &Diagram, curves: &[Curve]) -> Drawn {
 fn draw_figure_9(folder: &Path) -> Drawn {
     let references = references()?;
     let mut curves = Vec::new();
-    for (axis_ratio, colour) in
-        [(1.0, RGBColor(0x00, 0x45, 0x8b)), (0.2, RGBColor(0xd9, 0x5f, 0x02))]
-    {
+    for (axis_ratio, colour) in [(1.0, BLUE), (0.2, VERMILION)] {
         for (model, rule, kind) in [
             (Model::Strip1967, "rule of the rigid slip, as in the paper", Kind::Line),
             (Model::Strip1967Continuous, "continuous rule", Kind::Dashed),
@@ -684,11 +685,10 @@ fn draw_figure_9(folder: &Path) -> Drawn {
 /// the theory of 1967.
 fn draw_creep_curves(folder: &Path) -> Drawn {
     let references = references()?;
-    let colours = [(0x00, 0x45, 0x8b), (0x1b, 0x9e, 0x77), (0xd9, 0x5f, 0x02), (0xa0, 0x1c, 0x5b)];
+    let colours = [BLUE, GREEN, VERMILION, PURPLE];
     let grey = RGBColor(0x77, 0x77, 0x77);
     let mut curves = Vec::new();
-    for (psi, (r, g, b)) in [0.0, 0.3, 0.6, 0.9].into_iter().zip(colours) {
-        let colour = RGBColor(r, g, b);
+    for (psi, colour) in [0.0, 0.3, 0.6, 0.9].into_iter().zip(colours) {
         let curve = |model| -> Result<Vec<(f64, f64)>, Box<dyn Error>> {
             let places = (0..=280).map(|i| f64::from(i) / 200.0);
             places.map(|xi| Ok((xi, force(model, 1.0, [xi, 0.0, psi])?[0]))).collect()

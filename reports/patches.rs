@@ -23,7 +23,7 @@ use kstrip_testing::patch_reference::{
 };
 use lines::Lines;
 use pictures::{
-    Align, Axis, BLUE, Canvas, Drawn, INK, ORANGE, PALE, Plot, dot, line, picture, write,
+    Align, Axis, BLUE, Canvas, Drawn, INK, PALE, Plot, VERMILION, dot, line, picture, write,
 };
 use std::path::Path;
 
@@ -522,7 +522,7 @@ impl Axes {
 fn title(canvas: &Canvas, name: &str, contact: &str, dashes: bool) -> Drawn {
     write(canvas, name, (20.0, 14.0), 12, Align::Left, INK)?;
     line(canvas, &[(330.0, 14.0), (350.0, 14.0)], BLUE, 2.0)?;
-    line(canvas, &[(355.0, 14.0), (375.0, 14.0)], ORANGE, 2.0)?;
+    line(canvas, &[(355.0, 14.0), (375.0, 14.0)], VERMILION, 2.0)?;
     write(canvas, "kstrip, 16 strips", (382.0, 14.0), 11, Align::Left, INK)?;
     if dashes {
         for left in [515.0, 525.0] {
@@ -558,7 +558,7 @@ fn draw_real(case: &Case, what: &str, canvas: &Canvas) -> Drawn {
             line(canvas, &[(outline.across(from), v), (outline.across(to), v)], BLUE, 2.0)?;
         }
         let v = pressure.up(1e-6 * strip.peak_pressure);
-        line(canvas, &[(pressure.across(from), v), (pressure.across(to), v)], ORANGE, 2.0)?;
+        line(canvas, &[(pressure.across(from), v), (pressure.across(to), v)], VERMILION, 2.0)?;
     }
     for i in 0..29 {
         let left = pressure.left + 10.0 * f64::from(i);
@@ -646,7 +646,12 @@ fn draw(found: &Compared, what: &str, canvas: &Canvas) -> Drawn {
         let (high, tall) =
             (length.up(1e3 * strip.half_length), pressure.up(1e-6 * strip.peak_pressure));
         line(canvas, &[(length.across(from), high), (length.across(to), high)], BLUE, 2.0)?;
-        line(canvas, &[(pressure.across(from), tall), (pressure.across(to), tall)], ORANGE, 2.0)?;
+        line(
+            canvas,
+            &[(pressure.across(from), tall), (pressure.across(to), tall)],
+            VERMILION,
+            2.0,
+        )?;
     }
     for row in outline() {
         let at = (length.across(row.y), length.up(1e3 * row.half_length));

@@ -31,7 +31,6 @@ use kstrip_testing::toolchain::root;
 use lines::Lines;
 use pictures::*;
 use plot::Mark;
-use plotters::style::RGBColor;
 use std::process::Command;
 
 /// Rounds over all rows, of which the median counts.
@@ -478,12 +477,12 @@ impl Report {
 
     fn mark(&self, row: &Row) -> Option<Mark> {
         let ink = match row.name.split([' ', ',']).next() {
-            Some("TOTAL") => RGBColor(0xb8, 0x1f, 0x3a),
-            Some("STRIP") => BLUE,
+            Some("TOTAL") => BLUE,
+            Some("STRIP") => VERMILION,
             Some("STRIP_1967") => GREEN,
-            Some("STRIP_1967_CONTINUOUS") => RGBColor(0x6f, 0x8f, 0x1a),
-            Some("FASTSIM") => ORANGE,
-            Some("FaStrip") => PURPLE,
+            Some("STRIP_1967_CONTINUOUS") => PURPLE,
+            Some("FASTSIM") => AMBER,
+            Some("FaStrip") => SKY,
             _ => INK,
         };
         let shown = matches!(row.how, How::Solve | How::Prepared | How::Batch(100));

@@ -281,9 +281,8 @@ statuses! {
         KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3 gravity 2:
             "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
         KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4 gravity 5:
-            "more than one coefficient of friction fits: under falling friction the result has \
-             the largest, which a contact has whose slip grows from rest, and an estimate is \
-             the smallest";
+            "more than one coefficient of friction fits: with falling friction the result has the \
+             largest, which is reached from rest, and an estimate is the smallest";
         KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5 gravity 6:
             "an iteration ended before its result was accurate to rounding";
         KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6 gravity 4:
@@ -346,12 +345,12 @@ statuses! {
              twentieth of the shear modulus",
             "check velocity, friction and load";
         KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26 gravity 2:
-            "a contact of a wheel is less than four distances of the points of a profile wide, \
-             so that the pressure depends on the shape between the points",
+            "a contact of a wheel is narrower than four point spacings of a profile, so that the \
+             pressure depends on the shape between the points",
             "pass more points";
         KSTRIP_WARNING_ROUGH Rough = 27 gravity 2:
-            "a contact has more lobes than its strips tell apart, or a wheel has more than four \
-             contacts and the nearest count as one: the load may jump",
+            "a contact has more local minima than its strips resolve, or a wheel has more than \
+             four contacts and the nearest are merged: the load may jump",
             "smooth the profile, or take more strips";
         KSTRIP_WARNING_CURVATURE Curvature = 28 gravity IMPLAUSIBLE:
             "implausible curvature of the track, above 0.2 per m: it is probably the radius of \

@@ -178,9 +178,9 @@ impl Report {
     /// spin.
     pub fn sweep(&self, path: &Path) -> Drawn {
         let curves: [(Felt, RGBColor, f64); 4] = [
-            (of_model(Model::Strip1967, StripCount::Sixteen), ORANGE, 1.5),
-            (fastsim(), PURPLE, 1.5),
-            (of_model(Model::Strip, StripCount::Sixteen), GREEN, 2.0),
+            (of_model(Model::Strip1967, StripCount::Sixteen), GREEN, 1.5),
+            (fastsim(), AMBER, 1.5),
+            (of_model(Model::Strip, StripCount::Sixteen), VERMILION, 2.0),
             (of_model(Model::Total, StripCount::Sixteen), BLUE, 2.5),
         ];
         let sweeps = [(0, 0, 2.0, "longitudinal creepage"), (2, 1, 2.0, "spin")];
@@ -268,9 +268,9 @@ impl Report {
             x += 270.0;
             for (ink, text, width) in [
                 (BLUE, "TOTAL", 80.0),
-                (GREEN, "STRIP", 80.0),
-                (ORANGE, "STRIP_1967", 120.0),
-                (PURPLE, "FASTSIM 10x10", 120.0),
+                (VERMILION, "STRIP", 80.0),
+                (GREEN, "STRIP_1967", 120.0),
+                (AMBER, "FASTSIM 10x10", 120.0),
             ] {
                 line(canvas, &[(x, y), (x + 24.0, y)], ink, 2.5)?;
                 write(canvas, text, (x + 30.0, y), 13, Align::Left, INK)?;

@@ -6,6 +6,10 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::path::Path;
 
+#[path = "../common/palette.rs"]
+mod palette;
+pub use palette::{AMBER, BLUE, GREEN, PURPLE, SKY, VERMILION};
+
 pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 pub type Drawn = Result<(), Box<dyn Error>>;
 
@@ -15,10 +19,6 @@ const SCALE: u32 = 8;
 pub const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub const GREY: RGBColor = RGBColor(0x99, 0x99, 0x99);
 pub const PALE: RGBColor = RGBColor(0xe4, 0xe4, 0xe4);
-pub const BLUE: RGBColor = RGBColor(0x1f, 0x6f, 0xb4);
-pub const ORANGE: RGBColor = RGBColor(0xd9, 0x6a, 0x1c);
-pub const GREEN: RGBColor = RGBColor(0x2a, 0x8f, 0x5c);
-pub const PURPLE: RGBColor = RGBColor(0x8a, 0x4f, 0xa3);
 
 fn place(at: (f64, f64)) -> (i32, i32) {
     let scale = f64::from(SCALE);

@@ -1,6 +1,7 @@
 //! Pictures of the tour, of the page on models and of the cookbook: the wheel of these pages, of
 //! 0.46 m on a rail head of 0.30 m, 80 kN.
 
+use super::palette::{BLUE, VERMILION};
 use super::panel::{Axis, Panel};
 use super::{Drawn, INK, Kind, arrow, font, line, picture, place, write};
 use kstrip::contact::Contact;
@@ -16,8 +17,6 @@ use kstrip::strip_1967::strip::State;
 use plotters::prelude::*;
 use std::path::Path;
 
-const BLUE: RGBColor = RGBColor(0x00, 0x45, 0x8b);
-const ORANGE: RGBColor = RGBColor(0xc8, 0x50, 0x00);
 const GREY: RGBColor = RGBColor(0x66, 0x66, 0x66);
 
 fn wheel_on_rail() -> Result<Contact<f64>, Error> {
@@ -202,8 +201,8 @@ fn draw_models(folder: &Path) -> Drawn {
     let rows = [
         ("STRIP_1967", "STRIP_1967, 16 strips", 16, GREY),
         ("STRIP_1967_CONTINUOUS", "STRIP_1967_CONTINUOUS, 16 strips", 16, GREY),
-        ("STRIP", "STRIP, 16 strips", 16, BLUE),
-        ("TOTAL", "TOTAL", 0, ORANGE),
+        ("STRIP", "STRIP, 16 strips", 16, VERMILION),
+        ("TOTAL", "TOTAL", 0, BLUE),
     ];
     let mut found = Vec::new();
     for (model, row, strips, colour) in rows {
@@ -290,7 +289,7 @@ fn draw_hunting(folder: &Path) -> Drawn {
         write(canvas, "40 m/s: it comes to rest", (90.0, 44.0), 16)?;
         let below = panel(276.0, 32.0, vec![-30.0, -15.0, 0.0, 15.0, 30.0], 0, "time [s]");
         below.draw(canvas)?;
-        below.curve(canvas, &fast, ORANGE, Kind::Line)?;
+        below.curve(canvas, &fast, VERMILION, Kind::Line)?;
         let text = "120 m/s: it hunts, and grows into a limit cycle";
         write(canvas, text, (90.0, 248.0), 16)
     })
@@ -378,7 +377,7 @@ fn draw_stop_and_hold(folder: &Path) -> Drawn {
         );
         below.draw(canvas)?;
         let force: Vec<_> = run.iter().map(|[t, _, f]| (*t, *f)).collect();
-        below.curve(canvas, &force, ORANGE, Kind::Line)?;
+        below.curve(canvas, &force, VERMILION, Kind::Line)?;
         let text = "creep force on the rail: it brakes, then it holds the vehicle";
         write(canvas, text, (90.0, 248.0), 16)
     })

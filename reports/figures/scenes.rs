@@ -5,14 +5,12 @@
 #[path = "../../examples/wheelset.rs"]
 mod wheelset;
 
+use super::palette::{BLUE, VERMILION};
 use super::panel::{Axis, Panel};
 use super::{Canvas, Drawn, Kind, picture, write};
 use kstrip_testing::manchester::{self, Wheel, Wheelset};
 use plotters::prelude::*;
 use std::path::Path;
-
-const BLUE: RGBColor = RGBColor(0x00, 0x45, 0x8b);
-const ORANGE: RGBColor = RGBColor(0xc8, 0x50, 0x00);
 
 fn axis(label: &'static str, ticks: &[f64], decimals: usize) -> Axis {
     let limits = (ticks[0], ticks[ticks.len() - 1]);
@@ -58,7 +56,7 @@ fn draw_manchester(folder: &Path) -> Drawn {
         for (column, row, y, value) in panels {
             let panel = panel(column, row, shift(), y);
             panel.draw(canvas)?;
-            for (side, colour) in [BLUE, ORANGE].into_iter().enumerate() {
+            for (side, colour) in [BLUE, VERMILION].into_iter().enumerate() {
                 let curve: Vec<(f64, f64)> = shifts
                     .iter()
                     .zip(&ours)
@@ -128,7 +126,7 @@ fn draw_wheelset(folder: &Path) -> Drawn {
         let shown = below(0, x, axis("shift [mm], yaw [mrad]", &[-4.0, -2.0, 0.0, 2.0, 4.0], 0));
         let lateral = hunting.iter().map(|[t, y, _]| (*t, y * 1e3)).collect();
         let yaw = hunting.iter().map(|[t, _, yaw]| (*t, yaw * 1e3)).collect();
-        history(canvas, &shown, [("shift", BLUE, lateral, 1.85), ("yaw", ORANGE, yaw, 1.25)])?;
+        history(canvas, &shown, [("shift", BLUE, lateral, 1.85), ("yaw", VERMILION, yaw, 1.25)])?;
         let x = time(&[0.0, 0.6, 1.2, 1.8, 2.4], 1);
         let shown = below(
             1,
@@ -142,7 +140,7 @@ fn draw_wheelset(folder: &Path) -> Drawn {
             &shown,
             [
                 ("speed", BLUE, speed, 0.05),
-                ("force of the rails on the wheels", ORANGE, force, 0.7),
+                ("force of the rails on the wheels", VERMILION, force, 0.7),
             ],
         )?;
         let x = time(&[0.0, 0.3, 0.6, 0.9, 1.2], 1);
@@ -153,7 +151,7 @@ fn draw_wheelset(folder: &Path) -> Drawn {
         history(
             canvas,
             &shown,
-            [("right wheel", BLUE, right, 0.4), ("left wheel", ORANGE, left, 0.4)],
+            [("right wheel", BLUE, right, 0.4), ("left wheel", VERMILION, left, 0.4)],
         )
     })
 }

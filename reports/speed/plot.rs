@@ -131,13 +131,13 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             Axis::logarithmic(0.02, 0.6, &[0.03, 0.1, 0.3]),
         ),
     ];
-    picture(path, (1180, 640), |canvas| {
+    picture(path, (632, 1220), |canvas| {
         let title = "Error against CONTACT, by cost: forces of one contact";
         write(canvas, title, (56.0, 20.0), 17, Align::Left, INK)?;
         for (which, (title, y)) in panels.iter().enumerate() {
             let plot = Plot {
-                left: 56.0 + 580.0 * which as f64,
-                top: 66.0,
+                left: 56.0,
+                top: 66.0 + 550.0 * which as f64,
                 width: 520.0,
                 height: 470.0,
                 x: Axis { low: 4.0, high: 4e4, logarithmic: true, ticks: ticks.clone() },
@@ -149,14 +149,13 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             write(canvas, "processor time of a contact", at, 12, Align::Centre, INK)?;
         }
         let legend = [
-            "Random contacts with spin, double precision. Filled: one call for each contact; open: \
-             a contact of a batch of 100, or prepared beforehand. Lines join settings of one \
-             method.",
-            "Orange band: what no other method beats in both. Larger errors lie outside: LINEAR, \
-             which has no saturation; derivatives of FaStrip 50x50 and Vermeulen-Johnson.",
+            "Random contacts with spin, double precision. Filled: one call for each contact. Open: a contact of a",
+            "batch of 100, or prepared beforehand. Lines join settings of one method. Pale band: no other method",
+            "is better in both. Larger errors lie outside: LINEAR, which has no saturation; derivatives of",
+            "FaStrip 50x50 and Vermeulen-Johnson.",
         ];
         for (k, text) in legend.iter().enumerate() {
-            write(canvas, text, (56.0, 598.0 + 20.0 * k as f64), 12, Align::Left, INK)?;
+            write(canvas, text, (56.0, 1148.0 + 18.0 * k as f64), 12, Align::Left, INK)?;
         }
         Ok(())
     })

@@ -34,8 +34,8 @@ pub struct Contact<F> {
     pub friction: F,
     /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
     /// like materials and positive where the lower body is the softer one; its sign changes where
-    /// the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so that
-    /// there is a force without creepage. The theory of 1967 neglects the mismatch.
+    /// the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
+    /// that there is a force without creepage. The theory of 1967 neglects the mismatch.
     pub mismatch: F,
 }
 

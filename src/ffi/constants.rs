@@ -5,21 +5,17 @@
 pub const KSTRIP_MODEL_DEFAULT: i32 = 0;
 /// The strip theory of Kalker's paper of 1967. It has no fitted constants. It has the sliding rule
 /// that the paper keeps for forces: strips without adhesion slide along the rigid slip of their
-/// centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1. Its mean
-/// error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
+/// centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1.
 pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
-/// The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have
-/// a mean error of 18 % of mu N.
+/// The same theory with the sliding rule that joins adhesion strips without a jump.
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 /// A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
 /// the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
-/// CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
-/// CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its derivatives at
-/// rest are those of linear theory, and its power is never negative.
+/// CONTACT. It has forces, moment, stick area and fields. Its derivatives at rest are those of
+/// linear theory, and its power is never negative.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
 /// A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
-/// most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the
-/// derivatives 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+/// most accurate model for ellipses. Far in sliding it is rigid slip, and its power is never
 /// negative. It has no strips and no field; adhesion is reported as -1 (unknown).
 pub const KSTRIP_MODEL_TOTAL: i32 = 4;
 /// Kalker's linear theory, for stability analysis. Its force grows with the creepage without a

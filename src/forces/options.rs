@@ -59,7 +59,8 @@ impl Model {
         matches!(number, 1..=5)
     }
 
-    /// Whether the model has no fitted constants, and neglects unlike materials as the paper does.
+    /// Whether the model has no fitted constants, and neglects dissimilar materials as the paper
+    /// does.
     #[must_use]
     pub const fn is_of_1967(self) -> bool {
         matches!(self, Self::Strip1967 | Self::Strip1967Continuous)
@@ -90,8 +91,8 @@ pub struct Solution<F> {
     /// Moment about z at the centre of the contact \[N m\].
     pub mz: F,
     /// Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin \[N\]:
-    /// energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is
-    /// added to the longitudinal one.
+    /// energy dissipated per metre rolled. For dissimilar bodies the creepage that pressure makes
+    /// is added to the longitudinal one.
     pub power: F,
     /// Share of the contact area in adhesion \[-\], 0 to 1. It is -1 with KSTRIP_MODEL_TOTAL, which
     /// does not compute it, and 1 with KSTRIP_MODEL_LINEAR, which has adhesion everywhere.

@@ -48,7 +48,8 @@ pub struct WheelsetForces<F> {
 
 /// Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
 /// Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
-/// the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+/// the right rail and on the left rail. Columns are the ten degrees of freedom
+/// (KSTRIP_WHEELSET_FREEDOMS).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetDerivatives<F> {
@@ -58,8 +59,8 @@ pub struct WheelsetDerivatives<F> {
     pub friction: [F; KSTRIP_WHEELSET_FREEDOMS],
 }
 
-/// Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
-/// constant velocities.
+/// Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom,
+/// at constant velocities.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetByPosition<F> {

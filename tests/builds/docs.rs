@@ -662,8 +662,7 @@ fn short(x: f64, digits: usize) -> String {
     format!("{:.digits$}", x * (1.0 + 1e-9)).trim_start_matches('0').to_owned()
 }
 
-/// Errors and costs that the pages and the header state are those of the reports, which programs
-/// write.
+/// Errors and costs that the pages state are those of the reports, which programs write.
 #[test]
 fn errors_in_prose_are_those_of_the_report() {
     const REPORT: &str = "docs/evidence/accuracy.md";
@@ -734,21 +733,6 @@ fn errors_in_prose_are_those_of_the_report() {
     let others = "docs/reference/other-programs.md";
     assert_told(others, &format!("has an error of {} `μ N` on our cases", short(fastsim[0][0], 3)));
     assert_told(others, &format!("his formula is {} `μ N` from CONTACT", short(polach[0][0], 3)));
-    let of_both = |figures: &[Vec<f64>], next: &str| {
-        let (force, slopes) = (100.0 * figures[0][0], 100.0 * figures[2][0]);
-        format!(
-            "against CONTACT is {force:.1} % of mu N, that of the derivatives {slopes:.0} % of the \
-             linear ones. {next}"
-        )
-    };
-    for text in [
-        format!("{:.0} % over a/b 0.1 to 10", 100.0 * strip_1967[0][0]),
-        format!("mean error of {:.0} % of mu N", 100.0 * continuous[0][0]),
-        of_both(&strip, "Its derivatives at rest"),
-        of_both(&total, "Far in sliding"),
-    ] {
-        assert_told("include/kstrip.h", &text);
-    }
 }
 
 /// The table of rounding in docs/evidence/reliability.md has the largest errors of

@@ -100,6 +100,19 @@ fn the_page_on_functions_has_each_of_the_header() {
     assert_written("docs/reference/functions.md", "functions", &rows);
 }
 
+/// The program at the head of the header is compiled and run.
+#[test]
+fn the_header_opens_with_a_program() {
+    let header = read("include/kstrip.h");
+    let (_, rest) = header.split_once(" * ## Example\n *\n").expect("the example");
+    let lines = rest.lines().map_while(|line| line.strip_prefix(" *     "));
+    let program = lines.fold(String::new(), |text, line| text + line + "\n");
+    assert!(program.lines().count() <= 16, "{program}");
+    let source = scratch().join("header_example.c");
+    std::fs::write(&source, program).expect("scratch is writable");
+    assert_eq!(run_source(&source), "8731 N along, 2072 N across\n");
+}
+
 /// A count of `benches/instructions.txt`, such as 928 961 as "0.93 million".
 fn instructions(what: &str) -> String {
     let counts = read("benches/instructions.txt");

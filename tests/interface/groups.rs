@@ -84,9 +84,29 @@ struct Item {
     text: String,
 }
 
+/// The table of functions at the head: a line for each group, broken where it is too long.
+fn table() -> String {
+    let mut text = String::new();
+    for Group { title, functions, .. } in &GROUPS {
+        let mut line = format!(" *     {}:", title.split([':', ',']).next().expect("a title"));
+        let names: Vec<&str> = functions.split_whitespace().collect();
+        for (k, name) in names.iter().enumerate() {
+            let comma = if k + 1 < names.len() { "," } else { "" };
+            if line.len() + name.len() + 2 > 98 {
+                text += &format!("{line}\n");
+                line = " *        ".to_owned();
+            }
+            line += &format!(" {name}{comma}");
+        }
+        text += &format!("{line}\n");
+    }
+    text
+}
+
 /// `kstrip.h` and `kstrip_f32.h`.
 pub fn headers(generated: &str) -> [String; 2] {
     let (head, rest) = generated.split_once("*/\n").expect("the comment at the head");
+    let head = head.replace(" * @functions@\n", &table());
     let mut items: Vec<Item> = rest.split("\n\n").filter_map(item).collect();
     let double = format!(
         "{head}*/\n\n#ifndef KSTRIP_H\n#define KSTRIP_H\n\n\

@@ -37,8 +37,8 @@ from .values import Contact, Creepage, Friction, Patch, WheelContact, WheelPair,
 
 __all__ = ["creep_curve", "traction_map", "patch_on_profiles", "lateral_shift", "wheelset", "wear", "conicity", "measured_curve", "COLOURS"]
 
-#: Vermilion, blue, green, purple of Okabe and Ito; each has a contrast of three or more with white and with black.
-COLOURS = ("#D55E00", "#0072B2", "#009E73", "#CC79A7")
+#: Blue, vermilion, green, purple of Okabe and Ito, as in all pictures of kstrip.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7")
 _STYLES = ("-", "--", "-.", ":")
 _PRESSURE = "cividis"
 

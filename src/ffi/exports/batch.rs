@@ -12,7 +12,7 @@ use core::mem::MaybeUninit;
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
 ///
-/// Where the processor has AVX several contacts are solved side by side. All inputs are checked
+/// Where the processor has AVX several contacts are solved in parallel. All inputs are checked
 /// before anything is written: if one is bad its status is returned, no output is touched, and
 /// first_bad receives its index. A lost contact is not bad: its results are zero.
 ///

@@ -81,9 +81,8 @@ pub extern "C" fn kstrip_contact_from_approach(
 /// Kalker's coefficients C11, C22, C23, C33 of the linear theory.
 ///
 /// For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23
-/// spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they
-/// are within 0.16 % of CONTACT (C33: 0.5 %); beyond, they follow the asymptotes of slender
-/// ellipses.
+/// spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). Beyond axis ratios of 0.1 to 10 they
+/// follow the asymptotes of slender ellipses.
 ///
 /// @param axis_ratio      a/b [-], > 0; a along the rolling direction.
 /// @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.

@@ -29,10 +29,12 @@ use crate::wheelset::settle::WheelsetLoads;
 /// @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
 /// @param count           number of wheels; 0 is allowed.
 /// @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
-///                            [bytes], a multiple of the alignment.
-/// @param positions, position_stride  where they are.
-/// @param velocities, velocity_stride  how they move.
-/// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+///                            [bytes]: 0 or another multiple of the alignment. The other strides
+///                            have the same rule.
+/// @param positions, position_stride  position of each wheel, and its stride [bytes].
+/// @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
+/// @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
+///                            constant.
 /// @param[out] wrenches   array of count elements; receives force and moment, and with them the
 ///                        number of contacts.
 /// @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -110,9 +112,12 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 ///
 /// @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
 ///        search begins at the vertical member of its position.
-/// @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0.
-/// @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
-/// @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+/// @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0, and
+///                        its stride [bytes].
+/// @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes]; NULL: the
+///                        pressure carries the load.
+/// @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
+///                        constant.
 /// @param[out] verticals  array of count elements; receives the vertical positions [m].
 /// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
 ///                        NULL: not needed.
@@ -156,8 +161,9 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
 ///
 /// @param set, track, workspace  as in kstrip_wheelset_on_track().
 /// @param count           number of positions; 0 is allowed.
-/// @param positions, velocities  where the wheelset is and how it moves, with their strides as in
-///                        kstrip_wheels_on_rails().
+/// @param positions, position_stride  positions of the wheelset, and the distance from one to the
+///                        next [bytes], as in kstrip_wheels_on_rails().
+/// @param velocities, velocity_stride  velocities of the wheelset, and their stride [bytes].
 /// @param[out] forces     array of count elements; receives the forces.
 /// @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
@@ -198,7 +204,10 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
 /// kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
 ///
 /// @param set, track, count, workspace  as in kstrip_wheelsets_on_track().
-/// @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
+/// @param starts, start_stride  as in kstrip_wheelset_settle(), and the distance from one to the
+///                        next [bytes], as in kstrip_wheels_on_rails().
+/// @param velocities, velocity_stride  as in kstrip_wheelset_settle(), with their stride [bytes].
+/// @param loads, load_stride  as in kstrip_wheelset_settle(), with their stride [bytes].
 /// @param[out] positions, moves  arrays of count elements.
 /// @param[out] forces     array of count elements; NULL: not needed.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();

@@ -32,6 +32,9 @@ pub extern "C" fn kstrip_creepage_from_velocities(
 /// Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is
 /// lost.
 ///
+/// @param contact         ellipse, load, material, friction.
+/// @param creepage        its motion.
+/// @param[out] parameters  receives xi, eta and psi [-].
 /// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
 #[unsafe(export_name = symbol!("kstrip_parameters_from_creepage"))]
 pub extern "C" fn kstrip_parameters_from_creepage(
@@ -54,6 +57,9 @@ pub extern "C" fn kstrip_parameters_from_creepage(
 /// The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
 /// kstrip_parameters_from_creepage(); zero where it is lost.
 ///
+/// @param contact         ellipse, load, material, friction.
+/// @param parameters      xi, eta and psi [-].
+/// @param[out] creepage   receives the creepage.
 /// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
 ///         errors of kstrip_solve() for the same contact.
 #[unsafe(export_name = symbol!("kstrip_creepage_from_parameters"))]

@@ -16,16 +16,15 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// The search needs at most 90 solutions with derivatives, and 35 to 45 on average. Where the
-/// contact adheres (less than a twentieth of the friction is used, or the force is larger than
-/// linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used
-/// friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction
-/// may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
-/// smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
-/// first strip begins to adhere. A jump across the measured force counts there as one of several
-/// solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a
-/// friction, most often where the force is nearly zero: one of ten thousand with the models of
-/// 1967, and none with KSTRIP_MODEL_TOTAL.
+/// The search has a fixed largest number of solutions. Where the contact adheres (less than a
+/// twentieth of the friction is used, or the force is larger than linear theory gives) the status
+/// is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
+/// bound. Where spin opposes the creepage, more than one friction may explain the force: the status
+/// is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
+/// best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
+/// across the measured force counts there as one of several solutions, and is returned only with
+/// KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an estimate may miss a friction, most
+/// often if the force is nearly zero.
 ///
 /// Under a law the result is its friction, without slip: a force that was computed with the law
 /// gives the law's coefficient. If the actual law is another one, each creepage gives another
@@ -67,10 +66,9 @@ pub extern "C" fn kstrip_estimate_friction(
 
 /// The creepage at which a contact with a given spin carries a requested force.
 ///
-/// The search usually needs five solutions with derivatives, and about one of ten thousand more
-/// than 14. It ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest;
-/// a force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing
-/// with the creepage, more than one creepage may give the force; the result is one of them. A force
+/// The search ends after 40 solutions with KSTRIP_WARNING_NOT_CONVERGED and the nearest creepage; a
+/// force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing with
+/// the creepage, more than one creepage may give the force; the result is one of them. A force
 /// within 0.1 % of friction times load is that of full sliding. The status is then
 /// KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as
 /// well. A lost contact carries no force at any creepage; the result is zero.

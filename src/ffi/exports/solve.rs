@@ -156,6 +156,8 @@ pub unsafe extern "C" fn kstrip_solve_motion(
 
 /// kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
 ///
+/// @param contact, creepage  as in kstrip_solve().
+/// @param[out] result     receives forces, moment and power on the lower body.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_total"))]
 #[cfg(feature = "total")]
@@ -168,7 +170,9 @@ pub extern "C" fn kstrip_solve_total(
 
 /// kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
 ///
+/// @param contact, creepage  as in kstrip_solve().
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
+/// @param[out] result     receives forces, moment, power and adhesion.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_strip"))]
 #[cfg(feature = "strip")]
@@ -182,7 +186,9 @@ pub extern "C" fn kstrip_solve_strip(
 /// kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other
 /// model.
 ///
+/// @param contact, creepage  as in kstrip_solve().
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
+/// @param[out] result     receives forces, moment, power and adhesion.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_strip_1967"))]
 #[cfg(feature = "strip-1967")]
@@ -195,6 +201,8 @@ pub extern "C" fn kstrip_solve_strip_1967(
 
 /// kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
 ///
+/// @param contact, creepage  as in kstrip_solve().
+/// @param[out] result     receives forces, moment and power on the lower body.
 /// @return as kstrip_solve().
 #[unsafe(export_name = symbol!("kstrip_solve_linear"))]
 #[cfg(feature = "linear")]

@@ -36,7 +36,7 @@ use core::mem::MaybeUninit;
 /// @param step            length between prepared points [m]; 0: the length of the profile divided
 ///                        by the capacity less one.
 /// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
-///                        this distance [m], >= 0: at least four distances of the points, 2 to 4 mm
+///                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm
 ///                        for measured profiles; below two distances it has no effect. 0: a profile
 ///                        of 320 points or more goes through all of them. One of fewer than 234 is
 ///                        smoothed over six of their distances where they are rough: on average
@@ -248,10 +248,8 @@ pub unsafe extern "C" fn kstrip_contact_power_across(
 /// @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
 ///                          NULL: not needed.
 /// @param[out] by_position  receives their derivatives with respect to position: exact but for one
-///                        difference of creep forces, within 1e-6 of the largest of the column at
-///                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks;
-///                        over a roller two-sided differences, at eight times the cost. Up to
-///                        100 kB of stack on a PC. NULL: not needed.
+///                        difference of creep forces, one-sided at kinks; for a roller central
+///                        differences, at eight times the cost. NULL: not needed.
 /// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
 ///         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
 ///         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
