@@ -8,6 +8,8 @@ use std::path::Path;
 
 #[path = "../common/palette.rs"]
 mod palette;
+// (each report uses some of them)
+#[allow(unused_imports)]
 pub use palette::{AMBER, BLUE, GREEN, PURPLE, SKY, VERMILION};
 
 pub type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
