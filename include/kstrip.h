@@ -4,6 +4,41 @@
  *
  * Generated from the Rust sources by cbindgen; do not edit.
  *
+ * ## Example
+ *
+ *     #include "kstrip.h"
+ *     #include <stdio.h>
+ *     int main(void)
+ *     {
+ *         kstrip_contact contact = {.a = 6e-3, .b = 4.5e-3, .normal_force = 80e3,
+ *                                   .shear_modulus = 82e9, .poisson_ratio = 0.28, .friction = 0.3};
+ *         kstrip_creepage creepage = {.longitudinal = 1e-3, .spin = 0.1};
+ *         kstrip_result forces;
+ *         kstrip_status status = kstrip_solve(&contact, &creepage, NULL, &forces);
+ *         if (status < 0) return puts(kstrip_status_string(status)), 1;
+ *         printf("%.0f N along, %.0f N across\n", forces.fx, forces.fy);
+ *     }
+ *
+ * ## Functions
+ *
+ * Each name begins with kstrip_; the groups are those of this file.
+ *
+ *     Status: status_string
+ *     Bodies: material_combine, contact_from_hertz, contact_from_approach, linear_coefficients
+ *     Motion: creepage_from_velocities, parameters_from_creepage, creepage_from_parameters
+ *     Solve: solve, evaluate, evaluate_batch, prepare, solve_prepared, solve_motion, solve_total,
+ *         solve_strip, solve_strip_1967, solve_linear
+ *     Inside the contact: field
+ *     Patches of any shape: patch_from_profile, patch_from_strips, patch_from_contact,
+ *         patch_summarize, patch_evaluate, patch_evaluate_strips, patch_field
+ *     Wheel on rail: read_profile, orient_profiles, prepare_profile, profile_between, touch,
+ *         contacts_from_gap, wheel_motion, wrench_from_contacts, contact_power_across,
+ *         wheel_on_rail, wheels_on_rails, height_for_load, heights_for_loads
+ *     The wheelset: gauge_face, curve_motion, wheelset_on_track, wheelset_settle,
+ *         wheelsets_on_track, wheelsets_settle, rolling_radius_difference, equivalent_conicity
+ *     Test rigs: estimate_friction, creepage_for_force, fit_friction
+ *     Options: options_init, result_on_upper_body, version_string, abi_version
+ *
  * ## Axes and signs
  *
  *              x  rolling direction, leading edge at x > 0
@@ -27,8 +62,9 @@
  *
  * ## Conventions
  *
- * - Every function returns a kstrip_status: 0 is success, > 0 a warning with valid outputs, < 0 an
- *   error with outputs untouched. kstrip_status_string() says in English what to change. A workspace, and the contacts of
+ * - A function returns a kstrip_status, but for kstrip_status_string() and the two versions: 0 is
+ *   success, > 0 a warning with valid outputs, < 0 an error with outputs untouched. kstrip_status_string()
+ *   returns the cause and the remedy. A workspace, and the contacts of
  *   kstrip_contacts_from_gap(), are memory of the computation and may change before an error. Where a function writes an array
  *   statuses, only the outputs of the elements with an error are untouched, and the others have their results.
  * - An implausible input alone is a warning. Where it leads to an error, the error is the one that names the likely cause.
@@ -41,7 +77,7 @@
  *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
  * - An output that may be NULL and is NULL is not computed and costs nothing.
  * - No function allocates, blocks or calls back, and no result depends on earlier calls. Every function may be called from any
- *   thread and from interrupt handlers. Stack use: docs/reference/embedded.md.
+ *   thread and from interrupt handlers. Stack use: docs/reference/building.md.
  * - kstrip_f32.h has the same functions and structures in single precision, with the suffix _f32.
  * - The same inputs give the same bits on every machine with IEEE arithmetic, and in every thread.
  */
@@ -77,8 +113,8 @@ typedef int32_t kstrip_status;
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 /**
- * Warning: more than one coefficient of friction fits: under falling friction the result has the
- * largest, which a contact has whose slip grows from rest, and an estimate is the smallest.
+ * Warning: more than one coefficient of friction fits: with falling friction the result has the
+ * largest, which is reached from rest, and an estimate is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 /** Warning: an iteration ended before its result was accurate to rounding. */
@@ -153,13 +189,13 @@ typedef int32_t kstrip_status;
  */
 #define KSTRIP_WARNING_SUPPORT 25
 /**
- * Warning: a contact of a wheel is less than four distances of the points of a profile wide, so
- * that the pressure depends on the shape between the points.
+ * Warning: a contact of a wheel is narrower than four point spacings of a profile, so that the
+ * pressure depends on the shape between the points.
  */
 #define KSTRIP_WARNING_PROFILE_COARSE 26
 /**
- * Warning: a contact has more lobes than its strips tell apart, or a wheel has more than four
- * contacts and the nearest count as one: the load may jump.
+ * Warning: a contact has more local minima than its strips resolve, or a wheel has more than four
+ * contacts and the nearest are merged: the load may jump.
  */
 #define KSTRIP_WARNING_ROUGH 27
 /**
@@ -430,8 +466,8 @@ typedef struct kstrip_contact {
     /**
      * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
      * like materials and positive where the lower body is the softer one; its sign changes where
-     * the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so that
-     * there is a force without creepage. The theory of 1967 neglects the mismatch.
+     * the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
+     * that there is a force without creepage. The theory of 1967 neglects the mismatch.
      */
     double mismatch;
 } kstrip_contact;
@@ -503,9 +539,8 @@ kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
  * Kalker's coefficients C11, C22, C23, C33 of the linear theory.
  *
  * For vanishing creepage fx = G a b C11 longitudinal, fy = G a b (C22 lateral + sqrt(ab) C23
- * spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). For axis ratios of 0.1 to 10 they
- * are within 0.16 % of CONTACT (C33: 0.5 %); beyond, they follow the asymptotes of slender
- * ellipses.
+ * spin), mz = G (ab)^(3/2) (sqrt(ab) C33 spin - C23 lateral). Beyond axis ratios of 0.1 to 10 they
+ * follow the asymptotes of slender ellipses.
  *
  * @param axis_ratio      a/b [-], > 0; a along the rolling direction.
  * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
@@ -575,6 +610,9 @@ typedef struct kstrip_parameters {
  * Kalker's dimensionless parameters xi, eta, psi (5.13) of a contact in motion; zero where it is
  * lost.
  *
+ * @param contact         ellipse, load, material, friction.
+ * @param creepage        its motion.
+ * @param[out] parameters  receives xi, eta and psi [-].
  * @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
  */
 kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *contact,
@@ -585,6 +623,9 @@ kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *conta
  * The creepage that has the given parameters xi, eta, psi on a contact: the inverse of
  * kstrip_parameters_from_creepage(); zero where it is lost.
  *
+ * @param contact         ellipse, load, material, friction.
+ * @param parameters      xi, eta and psi [-].
+ * @param[out] creepage   receives the creepage.
  * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
  *         errors of kstrip_solve() for the same contact.
  */
@@ -607,27 +648,21 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 /**
  * The strip theory of Kalker's paper of 1967. It has no fitted constants. It has the sliding rule
  * that the paper keeps for forces: strips without adhesion slide along the rigid slip of their
- * centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1. Its mean
- * error against CONTACT is 5 % of mu N there, and 15 % over a/b 0.1 to 10.
+ * centre line. The paper made it for slender ellipses, a/b up to 0.2, and |psi| < 1.
  */
 #define KSTRIP_MODEL_STRIP_1967 1
-/**
- * The same theory with the sliding rule that joins adhesion strips without a jump. Its forces have
- * a mean error of 18 % of mu N.
- */
+/** The same theory with the sliding rule that joins adhesion strips without a jump. */
 #define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 /**
  * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
  * the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
- * CONTACT. It has forces, moment, stick area and fields. The mean error of the force against
- * CONTACT is 0.6 % of mu N, that of the derivatives 3 % of the linear ones. Its derivatives at
- * rest are those of linear theory, and its power is never negative.
+ * CONTACT. It has forces, moment, stick area and fields. Its derivatives at rest are those of
+ * linear theory, and its power is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**
  * A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
- * most accurate model. The mean error of the force against CONTACT is 0.3 % of mu N, that of the
- * derivatives 3 % of the linear ones. Far in sliding it is rigid slip, and its power is never
+ * most accurate model for ellipses. Far in sliding it is rigid slip, and its power is never
  * negative. It has no strips and no field; adhesion is reported as -1 (unknown).
  */
 #define KSTRIP_MODEL_TOTAL 4
@@ -673,8 +708,8 @@ typedef struct kstrip_result {
     double mz;
     /**
      * Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]:
-     * energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is
-     * added to the longitudinal one.
+     * energy dissipated per metre rolled. For dissimilar bodies the creepage that pressure makes
+     * is added to the longitudinal one.
      */
     double power;
     /**
@@ -993,7 +1028,7 @@ typedef struct kstrip_batch_outputs {
 /**
  * kstrip_evaluate() for many contacts: the same results, bit for bit.
  *
- * Where the processor has AVX several contacts are solved side by side. All inputs are checked
+ * Where the processor has AVX several contacts are solved in parallel. All inputs are checked
  * before anything is written: if one is bad its status is returned, no output is touched, and
  * first_bad receives its index. A lost contact is not bad: its results are zero.
  *
@@ -1152,6 +1187,8 @@ kstrip_status kstrip_solve_motion(const struct kstrip_contact *contact,
 /**
  * kstrip_solve() with KSTRIP_MODEL_TOTAL; a program that calls only this links no other model.
  *
+ * @param contact, creepage  as in kstrip_solve().
+ * @param[out] result     receives forces, moment and power on the lower body.
  * @return as kstrip_solve().
  */
 kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
@@ -1161,7 +1198,9 @@ kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
 /**
  * kstrip_solve() with KSTRIP_MODEL_STRIP; a program that calls only this links no other model.
  *
+ * @param contact, creepage  as in kstrip_solve().
  * @param strips          4, 8, 16, 32 or 64; 0: 16.
+ * @param[out] result     receives forces, moment, power and adhesion.
  * @return as kstrip_solve().
  */
 kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
@@ -1173,7 +1212,9 @@ kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
  * kstrip_solve() with KSTRIP_MODEL_STRIP_1967; a program that calls only this links no other
  * model.
  *
+ * @param contact, creepage  as in kstrip_solve().
  * @param strips          4, 8, 16, 32 or 64; 0: 16.
+ * @param[out] result     receives forces, moment, power and adhesion.
  * @return as kstrip_solve().
  */
 kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
@@ -1184,6 +1225,8 @@ kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
 /**
  * kstrip_solve() with KSTRIP_MODEL_LINEAR; a program that calls only this links no other model.
  *
+ * @param contact, creepage  as in kstrip_solve().
+ * @param[out] result     receives forces, moment and power on the lower body.
  * @return as kstrip_solve().
  */
 kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
@@ -1756,7 +1799,7 @@ typedef struct kstrip_surface {
  * @param step            length between prepared points [m]; 0: the length of the profile divided
  *                        by the capacity less one.
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
- *                        this distance [m], >= 0: at least four distances of the points, 2 to 4 mm
+ *                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm
  *                        for measured profiles; below two distances it has no effect. 0: a profile
  *                        of 320 points or more goes through all of them. One of fewer than 234 is
  *                        smoothed over six of their distances where they are rough: on average
@@ -2290,10 +2333,8 @@ typedef struct kstrip_wrench_by_position {
  * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
  *                          NULL: not needed.
  * @param[out] by_position  receives their derivatives with respect to position: exact but for one
- *                        difference of creep forces, within 1e-6 of the largest of the column at
- *                        nine of ten smooth positions (single precision: 2 %), one-sided at kinks;
- *                        over a roller two-sided differences, at eight times the cost. Up to
- *                        100 kB of stack on a PC. NULL: not needed.
+ *                        difference of creep forces, one-sided at kinks; for a roller central
+ *                        differences, at eight times the cost. NULL: not needed.
  * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
  *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
  *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
@@ -2325,10 +2366,12 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
  * @param count           number of wheels; 0 is allowed.
  * @param pairs, pair_stride  kstrip_wheel_pair of each, and the distance from one to the next
- *                            [bytes], a multiple of the alignment.
- * @param positions, position_stride  where they are.
- * @param velocities, velocity_stride  how they move.
- * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+ *                            [bytes]: 0 or another multiple of the alignment. The other strides
+ *                            have the same rule.
+ * @param positions, position_stride  position of each wheel, and its stride [bytes].
+ * @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
+ * @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
+ *                            constant.
  * @param[out] wrenches   array of count elements; receives force and moment, and with them the
  *                        number of contacts.
  * @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -2396,9 +2439,12 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
  *
  * @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
  *        search begins at the vertical member of its position.
- * @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0.
- * @param velocities, velocity_stride  how they move; NULL: the pressure carries the load.
- * @param friction, friction_stride  as in kstrip_wheel_on_rail(); NULL: constant.
+ * @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0, and
+ *                        its stride [bytes].
+ * @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes]; NULL: the
+ *                        pressure carries the load.
+ * @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
+ *                        constant.
  * @param[out] verticals  array of count elements; receives the vertical positions [m].
  * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
  *                        NULL: not needed.
@@ -2581,7 +2627,8 @@ typedef struct kstrip_wheelset_forces {
 /**
  * Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
  * Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
- * the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ * the right rail and on the left rail. Columns are the ten degrees of freedom
+ * (KSTRIP_WHEELSET_FREEDOMS).
  */
 typedef struct kstrip_wheelset_derivatives {
     /** With respect to the velocities [N, N m per m/s, rad/s]. */
@@ -2591,8 +2638,8 @@ typedef struct kstrip_wheelset_derivatives {
 } kstrip_wheelset_derivatives;
 
 /**
- * Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
- * constant velocities.
+ * Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom,
+ * at constant velocities.
  */
 typedef struct kstrip_wheelset_by_position {
     /**
@@ -2686,8 +2733,9 @@ kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
  *
  * @param set, track, workspace  as in kstrip_wheelset_on_track().
  * @param count           number of positions; 0 is allowed.
- * @param positions, velocities  where the wheelset is and how it moves, with their strides as in
- *                        kstrip_wheels_on_rails().
+ * @param positions, position_stride  positions of the wheelset, and the distance from one to the
+ *                        next [bytes], as in kstrip_wheels_on_rails().
+ * @param velocities, velocity_stride  velocities of the wheelset, and their stride [bytes].
  * @param[out] forces     array of count elements; receives the forces.
  * @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
@@ -2711,7 +2759,10 @@ kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
  * kstrip_wheelset_settle() for many starts, velocities and loads: the same results, bit for bit.
  *
  * @param set, track, count, workspace  as in kstrip_wheelsets_on_track().
- * @param starts, velocities, loads  arrays with strides, as in kstrip_wheelset_settle().
+ * @param starts, start_stride  as in kstrip_wheelset_settle(), and the distance from one to the
+ *                        next [bytes], as in kstrip_wheels_on_rails().
+ * @param velocities, velocity_stride  as in kstrip_wheelset_settle(), with their stride [bytes].
+ * @param loads, load_stride  as in kstrip_wheelset_settle(), with their stride [bytes].
  * @param[out] positions, moves  arrays of count elements.
  * @param[out] forces     array of count elements; NULL: not needed.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();
@@ -2843,16 +2894,15 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * The search needs at most 90 solutions with derivatives, and 35 to 45 on average. Where the
- * contact adheres (less than a twentieth of the friction is used, or the force is larger than
- * linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used
- * friction |force|/load, a lower bound. Where spin opposes the creepage, more than one friction
- * may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
- * smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
- * first strip begins to adhere. A jump across the measured force counts there as one of several
- * solutions, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. An estimate may miss a
- * friction, most often where the force is nearly zero: one of ten thousand with the models of
- * 1967, and none with KSTRIP_MODEL_TOTAL.
+ * The search has a fixed largest number of solutions. Where the contact adheres (less than a
+ * twentieth of the friction is used, or the force is larger than linear theory gives) the status
+ * is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
+ * bound. Where spin opposes the creepage, more than one friction may explain the force: the status
+ * is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
+ * best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
+ * across the measured force counts there as one of several solutions, and is returned only with
+ * KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an estimate may miss a friction, most
+ * often if the force is nearly zero.
  *
  * Under a law the result is its friction, without slip: a force that was computed with the law
  * gives the law's coefficient. If the actual law is another one, each creepage gives another
@@ -2884,10 +2934,9 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a requested force.
  *
- * The search usually needs five solutions with derivatives, and about one of ten thousand more
- * than 14. It ends after 40 with KSTRIP_WARNING_NOT_CONVERGED and the creepage that comes nearest;
- * a force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing
- * with the creepage, more than one creepage may give the force; the result is one of them. A force
+ * The search ends after 40 solutions with KSTRIP_WARNING_NOT_CONVERGED and the nearest creepage; a
+ * force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing with
+ * the creepage, more than one creepage may give the force; the result is one of them. A force
  * within 0.1 % of friction times load is that of full sliding. The status is then
  * KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as
  * well. A lost contact carries no force at any creepage; the result is zero.

@@ -945,7 +945,8 @@ typedef struct kstrip_wheelset_forces_f32 {
 /**
  * Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities.
  * Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on
- * the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+ * the right rail and on the left rail. Columns are the ten degrees of freedom
+ * (KSTRIP_WHEELSET_FREEDOMS).
  */
 typedef struct kstrip_wheelset_derivatives_f32 {
     float velocity[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
@@ -953,8 +954,8 @@ typedef struct kstrip_wheelset_derivatives_f32 {
 } kstrip_wheelset_derivatives_f32;
 
 /**
- * Derivatives of the same ten forces with respect to the positions of the ten freedoms, at
- * constant velocities.
+ * Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom,
+ * at constant velocities.
  */
 typedef struct kstrip_wheelset_by_position_f32 {
     float position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];

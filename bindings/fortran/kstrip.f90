@@ -655,7 +655,8 @@ module kstrip
       real(c_double) :: friction(kstrip_wheelset_freedoms) = 0
    end type
 
-   !> Derivatives of the same ten forces with respect to the positions of the ten freedoms, at constant velocities.
+   !> Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom, at constant
+   !> velocities.
    type, bind(c) :: kstrip_wheelset_by_position
       real(c_double) :: position(kstrip_wheelset_freedoms, kstrip_wheelset_freedoms) = 0
    end type

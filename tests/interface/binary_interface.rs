@@ -67,7 +67,7 @@ fn committed_headers_are_current() {
     let [double, _] = &headers;
     let functions = header::declared(double).functions.len();
     let lines = double.lines().count();
-    assert!(functions <= 64 && lines <= 57 * functions, "{functions} functions, {lines} lines");
+    assert!(functions <= 64 && lines <= 58 * functions, "{functions} functions, {lines} lines");
 }
 
 /// `docs/maintain/abi.txt` and `tests/c/layout.rs` are written by the same command as the header.

@@ -95,7 +95,7 @@ class Contact(Value):
     shear_modulus: Combined shear modulus G [Pa] (2.6), > 0.
     poisson_ratio: Combined Poisson's ratio nu [-], 0 to 0.5.
     friction: Coefficient of friction mu [-], >= 0.
-    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower body is the softer one; its sign changes where the bodies are exchanged. In unlike bodies pressure makes a longitudinal creepage, so that there is a force without creepage. The theory of 1967 neglects the mismatch.
+    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower body is the softer one; its sign changes where the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that there is a force without creepage. The theory of 1967 neglects the mismatch.
     """
 
     _structure: ClassVar[str] = "contact"
@@ -226,7 +226,7 @@ class Result(Value):
     fx: Longitudinal force [N], positive along the rolling direction.
     fy: Lateral force [N].
     mz: Moment about z at the centre of the contact [N m].
-    power: Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre rolled. For unlike bodies the creepage that pressure makes is added to the longitudinal one.
+    power: Frictional power divided by rolling speed, fx longitudinal + fy lateral + mz spin [N]: energy dissipated per metre rolled. For dissimilar bodies the creepage that pressure makes is added to the longitudinal one.
     adhesion: Share of the contact area in adhesion [-], 0 to 1. It is -1 with KSTRIP_MODEL_TOTAL, which does not compute it, and 1 with KSTRIP_MODEL_LINEAR, which has adhesion everywhere.
     status_detail: The status of this result: 0 or one of the KSTRIP_WARNING constants.
     """
@@ -1003,7 +1003,7 @@ class WheelsetForces(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class WheelsetDerivatives(Value):
-    """Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities. Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail and on the left rail. Columns are the ten freedoms (KSTRIP_WHEELSET_FREEDOMS).
+    """Exact derivatives of the forces on a wheelset and its two rails with respect to the velocities. Rows are the ten forces: force and moment on the wheelset, then lateral and vertical force on the right rail and on the left rail. Columns are the ten degrees of freedom (KSTRIP_WHEELSET_FREEDOMS).
 
     velocity: With respect to the velocities [N, N m per m/s, rad/s].
     friction: With respect to a factor on all coefficients of friction, at 1 [N, N m].
@@ -1022,7 +1022,7 @@ class WheelsetDerivatives(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class WheelsetByPosition(Value):
-    """Derivatives of the same ten forces with respect to the positions of the ten freedoms, at constant velocities.
+    """Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom, at constant velocities.
 
     position: With respect to the positions [N, N m per m, rad]; the columns of forward and pitch are zero.
     """
