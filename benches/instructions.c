@@ -36,7 +36,7 @@ static const struct {
 
 static kstrip_contact contacts[CALLS];
 static kstrip_creepage creepages[CALLS];
-/* friction that falls with the slip, at 20 m/s */
+/* falling friction, at 20 m/s */
 static const kstrip_friction law = {0.3, 0.4, 0.6, 20, 1};
 static const kstrip_friction_f32 law_f32 = {0.3F, 0.4F, 0.6F, 20, 1};
 /* constant friction behind a layer about as flexible as the bodies */

@@ -1,6 +1,6 @@
 /*
  * A bogie on flexible rails: two wheelsets, frame, half a car body, and a mass of each rail under each wheel. It hunts in a limit cycle,
- * runs through a curve of 300 m with its flange, brakes to a hold on a grade, and is lifted by a jack. The numbers are those of an
+ * runs through a curve of 300 m with its flange, brakes to a standstill on a grade, and is lifted by a jack. The numbers are those of an
  * ordinary bogie with weak yaw dampers.
  *   cc -std=c99 -O2 -Iinclude c_examples/12_bogie.c target/lib/libkstrip.a -lm -o bogie && ./bogie tests/data/wheel_rail [hunt|curve|brake|lift]
  *

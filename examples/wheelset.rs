@@ -141,7 +141,7 @@ impl Run {
         let wheelset = wheelset(&self.rail, &self.wheel, &pairs);
         let found = wheelset.differentiate(&state, &mut self.memory, requested)?;
         self.wheels = found.wheel;
-        // of the ten freedoms the six of the wheelset: its rails do not move
+        // of the ten degrees of freedom the six of the wheelset: its rails do not move
         Ok(Load {
             force: Vector6::from(found.wrench.members()),
             by_velocity: Matrix6::from_fn(|row, column| by_velocity.velocity[row][column]),

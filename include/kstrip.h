@@ -749,7 +749,7 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            struct kstrip_result *result);
 
 /**
- * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+ * Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) +
  * ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep
  * curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
  * and layer is an elastic layer that is known.
@@ -898,14 +898,14 @@ typedef struct kstrip_outputs {
  * If friction is given, the coefficient of friction falls with the slip and agrees with it; the
  * contact's own coefficient is ignored. All derivatives include that dependence. Where more than
  * one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
- * has the largest. The two models of 1967 are an exception under friction that falls very steeply:
- * their forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
+ * has the largest. The two models of 1967 are an exception under steeply falling friction: their
+ * forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
  * thousand such cases another friction, perhaps a larger one, is not found. With
  * KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
- * @param friction        friction that falls with the slip; NULL: constant.
+ * @param friction        falling friction; NULL: constant.
  * @param options         model and strip count; NULL for the defaults.
  * @param outputs         where the outputs go.
  * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
@@ -1172,7 +1172,7 @@ typedef struct kstrip_motion_outputs {
  *
  * @param contact         ellipse, load, material, friction.
  * @param motion          slip, spin rate, signed rolling speed.
- * @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does
+ * @param friction        falling friction; NULL: constant. Its rolling_speed does
  *                        not count.
  * @param options         model and strip count; NULL for the defaults.
  * @param outputs         where the outputs go.
@@ -1270,7 +1270,7 @@ typedef struct kstrip_point {
  *
  * @param contact         ellipse, load, material, friction.
  * @param creepage        motion.
- * @param friction        friction that falls with the slip, layer; NULL: constant, none.
+ * @param friction        falling friction, layer; NULL: constant, none.
  * @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
  * @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
  *                        allowed.
@@ -1556,7 +1556,7 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  *
  * @param patch           the patch.
  * @param creepage        motion at the origin.
- * @param friction        friction that falls with the slip; NULL: constant.
+ * @param friction        falling friction; NULL: constant.
  * @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
  *                        models of 1967; NULL for the default. The strip count is checked and
  *                        otherwise ignored.
@@ -1969,8 +1969,8 @@ typedef struct kstrip_wheel_pair {
      */
     int32_t left;
     /**
-     * Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at
-     * least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
+     * Length over which the undeformed gap is smoothed [m], >= 0. It is always at least 2.5
+     * steps of the wheel's profile. For rough profiles set it to 2 mm.
      */
     double smoothing_length;
     /** About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16. */
@@ -2537,7 +2537,7 @@ typedef struct kstrip_wheelset {
     /** Prepared profiles, both of a right wheel: right, left; left NULL: as the right one. */
     const struct kstrip_surface *wheel[2];
     /**
-     * Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
+     * Falling friction, as in kstrip_patch_evaluate(): right, left; NULL:
      * constant.
      */
     const struct kstrip_friction *friction[2];
@@ -3007,14 +3007,14 @@ typedef struct kstrip_friction_fit {
  *
  * The sum of the squared differences between measured and computed forces, each times the weight
  * of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
- * measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
- * The search begins at start and at nine other places, unless the points are met exactly, and the
- * best law is returned, after up to 1000 more steps if 80 do not reach it.
- * Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
- * start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
- * are those of the law: a member that ends at its bound has a standard error of 0, and the status
- * is KSTRIP_WARNING_FIT_BOUND. If another law has a residual that is at most 1 per cent larger,
- * the status is KSTRIP_WARNING_SECOND_MINIMUM.
+ * measured curves need 6 to 20. Each step costs one solution with derivatives for every point. The
+ * search begins at start and at nine other places, unless the points are met exactly, and the best
+ * law is returned, after up to 1000 more steps if 80 do not reach it. Members of the law that are
+ * not fitted keep the values of start. A fitted member that is 0 in start begins at a usual value;
+ * falling friction needs the rolling speed in start. Bounds are those of the law: a member that
+ * ends at its bound has a standard error of 0, and the status is KSTRIP_WARNING_FIT_BOUND. If
+ * another law has a residual that is at most 1 per cent larger, the status is
+ * KSTRIP_WARNING_SECOND_MINIMUM.
  *
  * Points that lie on one part of the curve do not determine each parameter. The status is then
  * KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors

@@ -338,7 +338,7 @@ using precision_of =
     typename precision<std::remove_cv_t<std::remove_reference_t<decltype(*std::begin(std::declval<C &>()))>>>::type;
 } // namespace detail
 
-/// Numbers one after the other in the memory of the caller: arrays, vectors or spans of quantities with this unit, or of plain numbers, which
+/// Numbers one after the other in the caller-provided memory: arrays, vectors or spans of quantities with this unit, or of plain numbers, which
 /// are taken as SI units (metres).
 template <class Unit, class T>
 class numbers {
@@ -684,7 +684,7 @@ struct basic_result {
 };
 KSTRIP_HPP_BOTH(result)
 
-/// Friction that falls with the slip, and the stiffness of the layer; friction{mu} is constant.
+/// Falling friction, and the stiffness of the layer; friction{mu} is constant.
 template <class T>
 struct basic_friction {
     T friction;

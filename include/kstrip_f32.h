@@ -162,7 +162,7 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
                                struct kstrip_result_f32 *result);
 
 /**
- * Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+ * Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) +
  * ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep
  * curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
  * and layer is an elastic layer that is known.

@@ -16,7 +16,7 @@
 //!    CONTACT. [`total`]: a closed formula for force and moment, fitted to CONTACT.
 //! 4. [`forces`]: results and derivatives of a contact and a creepage, for every model. [`batch`]:
 //!    many contacts at once.
-//! 5. [`friction`]: friction that falls with the slip. [`motion`]: rolling forward, backward, and
+//! 5. [`friction`]: falling friction. [`motion`]: rolling forward, backward, and
 //!    standstill. [`rig`]: from a measured force to friction, from a requested force to creepage.
 //! 6. [`patch`]: a patch of any shape as its strips. [`wheel_rail`]: from two profiles and a
 //!    position to the force and the moment on a wheel. [`wheelset`]: two wheels on two rails.

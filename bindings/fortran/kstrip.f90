@@ -242,8 +242,8 @@ module kstrip
       integer(c_int32_t) :: reserved = 0
    end type
 
-   !> Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the
-   !> sliding velocity [m/s].
+   !> Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity
+   !> [m/s].
    type, bind(c) :: kstrip_friction
       real(c_double) :: friction = 0
       real(c_double) :: ratio = 0

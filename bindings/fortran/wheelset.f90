@@ -51,7 +51,7 @@ program wheelset
          forces(i)%wrench%force(2), again%wrench%force(2)
    end do
 
-   ! Friction that falls with the slip, behind a layer of a wet rail
+   ! Falling friction, behind a layer of a wet rail
    contact = kstrip_contact(a=6d-3, b=4.5d-3, normal_force=80d3, shear_modulus=82d9, poisson_ratio=0.28d0, friction=0.3d0)
    law = kstrip_friction(friction=0.35d0, ratio=0.5d0, decay=0.3d0, rolling_speed=10d0, layer=1d-13)
    outputs%result = c_loc(force)

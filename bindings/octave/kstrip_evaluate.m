@@ -10,7 +10,7 @@ function found = kstrip_evaluate(contact, creepage, friction, model, strips, own
 %             materials (may be left out: like ones)
 %   patch     a struct from kstrip_patch_from_profile or kstrip_patch_from_contact
 %   creepage  3 x n or 3 x 1: longitudinal, lateral [-], spin [1/m]
-%   friction  friction that falls with the slip, 5 to 7 x n or 5 to 7 x 1: friction without slip, ratio, decay [s/m], rolling speed
+%   friction  falling friction, 5 to 7 x n or 5 to 7 x 1: friction without slip, ratio, decay [s/m], rolling speed
 %             [m/s], factor of the initial slope (0: 1), factor in sliding (0: 1), layer [m/Pa]; [] for constant friction
 %   model     'total', 'strip', 'strip_1967', 'strip_1967_continuous', 'linear', or its KSTRIP_MODEL number; [] or 0: the default
 %   strips    4, 8, 16, 32 or 64; [] or 0: 16

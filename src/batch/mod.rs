@@ -80,7 +80,7 @@ pub fn solve_batch<F: Float>(
     solve_each(0..count, options, &get, &mut put)
 }
 
-/// [`solve_batch`] with friction that falls with the slip.
+/// [`solve_batch`] with falling friction.
 pub(crate) fn solve_under_friction<F: Float>(
     count: usize, options: &Options, get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, FrictionSolution<F>),
@@ -115,7 +115,7 @@ fn check_each<F: Float>(
     check(0..count)
 }
 
-/// [`solve_batch`] with all derivatives, with or without friction that falls with the slip.
+/// [`solve_batch`] with all derivatives, with or without falling friction.
 pub(crate) fn differentiate_batch<F: Float>(
     count: usize, options: &Options, get: impl Fn(usize) -> Case<F>,
     mut put: impl FnMut(usize, &DifferentiatedCase<F>),

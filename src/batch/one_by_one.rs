@@ -27,7 +27,7 @@ pub(crate) struct DifferentiatedCase<'a, F: Float> {
     pub(crate) friction: F,
     pub(crate) derivatives: &'a Derivatives<F>,
     pub(super) creepage: &'a Creepage<F>,
-    /// `κ dF/dκ` \[N, N, N m\], of unlike materials.
+    /// `κ dF/dκ` \[N, N, N m\], of dissimilar materials.
     pub(super) by_mismatch: Option<&'a [F; 3]>,
     /// By the parameters of the law where there is one.
     pub(super) law: Option<&'a LawDerivatives<F>>,

@@ -1,9 +1,9 @@
-//! Unlike materials: the creepage that pressure makes (Section 4.1 neglects it).
+//! Dissimilar materials: the creepage that pressure makes (Section 4.1 neglects it).
 //!
-//! Pressure moves the surfaces of unlike half-spaces tangentially by different amounts, lower minus
-//! upper `u = −(κ/(π G)) ∫ p (x − x')/r²`, hence `div u = −(2κ/G) p`. A semi-ellipsoid of pressure
-//! is a pile of uniform ellipses, and inside each of them `∂u/∂x = −(2κ/G) p b/(a + b)`. Rolling
-//! through it is a creepage, to be added to the longitudinal one:
+//! Pressure moves the surfaces of dissimilar half-spaces tangentially by different amounts, lower
+//! minus upper `u = −(κ/(π G)) ∫ p (x − x')/r²`, hence `div u = −(2κ/G) p`. A semi-ellipsoid of
+//! pressure is a pile of uniform ellipses, and inside each of them `∂u/∂x = −(2κ/G) p b/(a + b)`.
+//! Rolling through it is a creepage, to be added to the longitudinal one:
 //!
 //! ```text
 //! Δυx = −c' κ N/(G a (a + b))

@@ -270,7 +270,7 @@ pub struct Track<F> {
 pub struct WheelsetParts<F> {
     /// Prepared profiles, both of a right wheel: right, left; left NULL: as the right one.
     pub wheel: [*const PreparedProfile<F>; 2],
-    /// Friction that falls with the slip, as in kstrip_patch_evaluate(): right, left; NULL:
+    /// Falling friction, as in kstrip_patch_evaluate(): right, left; NULL:
     /// constant.
     pub friction: [*const SlipFriction<F>; 2],
     /// Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the

@@ -37,7 +37,7 @@ const ROOM: usize = 96;
 /// Where the [`mark`] stands.
 const MARK_AT: usize = 0;
 /// Where `w` stands: no check of [`find_fault`] can fail where `|υx| + |υy| + w |φ| ≤ 10`. It is
-/// infinite for a lost contact and for unlike materials, where pressure changes the creepage.
+/// infinite for a lost contact and for dissimilar materials, where pressure changes the creepage.
 const PER_SPIN: usize = 1;
 /// Where the [`ScaledContact`] begins, and then the coefficients of the model.
 const FRAME: usize = 2;

@@ -126,8 +126,8 @@ impl<F: Real> ScaledContact<F> {
 }
 
 impl<F: Float> ScaledContact<F> {
-    /// The creepage with the part that pressure adds in unlike bodies, and that part. It is zero in
-    /// like bodies and in the theory of 1967.
+    /// The creepage with the part that pressure adds in dissimilar bodies, and that part. It is
+    /// zero in like bodies and in the theory of 1967.
     #[inline(always)]
     pub(crate) fn creepage_with_pressure(
         &self, creepage: &Creepage<F>, model: Model,

@@ -1,4 +1,4 @@
-//! Derivatives through friction that falls with the slip.
+//! Derivatives through falling friction.
 //!
 //! A model gives the derivatives at constant friction: its `Slopes`, those with respect to the
 //! layer (`InterfaceSlopes`) and, for patches, to the strips' own creepages
@@ -179,11 +179,11 @@ pub struct Differentiated<F: Float> {
     pub derivatives: Derivatives<F>,
     /// Derivatives with respect to the parameters of the law.
     pub law: LawDerivatives<F>,
-    /// `κ dF/dκ` of unlike materials \[N, N, N m\].
+    /// `κ dF/dκ` of dissimilar materials \[N, N, N m\].
     pub by_mismatch: [F; 3],
 }
 
-/// Forces and all derivatives, under friction that falls with the slip or not.
+/// Forces and all derivatives, under falling friction or not.
 ///
 /// # Errors
 /// Those of `solve` and [`SlipFriction::check`].

@@ -1,12 +1,11 @@
-//! The law of friction that falls with the slip, `μ(w) = μ₀ ((1 − A) exp(−B w) + A)`, and its
-//! derivatives.
+//! The law of falling friction, `μ(w) = μ₀ ((1 − A) exp(−B w) + A)`, and its derivatives.
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::number::{Float, are_finite};
 use crate::status::Error;
 
-/// Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) +
+/// Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) +
 /// ratio), where w is the sliding velocity \[m/s\]. A layer between the bodies makes the creep
 /// curve less steep: slope_factor and slide_factor describe it for a measured or published curve,
 /// and layer is an elastic layer that is known.

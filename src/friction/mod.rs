@@ -1,4 +1,4 @@
-//! Friction that falls with the slip, and reduced initial slope (Polach).
+//! Falling friction, and reduced initial slope (Polach).
 //!
 //! O. Polach, *Creep forces in simulations of traction vehicles running on adhesion limit*, Wear
 //! 258 (2005) 992: measured traction curves have a maximum, because friction falls with the sliding
@@ -45,7 +45,7 @@ use crate::forces::{self, Model, Options, Solution, StripResult};
 use crate::number::Float;
 use crate::status::{Error, Warning};
 
-/// Forces under friction that falls with the slip.
+/// Forces under falling friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionSolution<F> {
     /// The forces; its warning is also that of the friction.
@@ -55,7 +55,7 @@ pub struct FrictionSolution<F> {
     pub friction: F,
 }
 
-/// Forces for a contact, a creepage and friction that falls with the slip.
+/// Forces for a contact, a creepage and falling friction.
 ///
 /// The contact's own coefficient of friction is ignored. With `A = 1`, `B = 0` or `V = 0`, and
 /// `k = 1`, the result is that of [`forces::forces_of_contact`] to the bit and costs no more.

@@ -1,4 +1,4 @@
-//! Friction that falls with the slip, and reduced initial slope, on patches of strips.
+//! Falling friction, and reduced initial slope, on patches of strips.
 //!
 //! Every strip has its own coefficient of friction without slip, `μ₀(y)`. Polach's law multiplies
 //! all of them with one number, the share `λ`, which follows from the mean slip `s` of the patch,
@@ -166,8 +166,8 @@ impl<'a, F: Float> FrictionProblem<'a, F> {
     }
 }
 
-/// Forces of a patch and all derivatives, under friction that falls with the slip or not;
-/// `friction` is the share `λ`.
+/// Forces of a patch and all derivatives, under falling friction or not; `friction` is the share
+/// `λ`.
 ///
 /// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
 /// lengths also grow like the cube root of the load. For those with respect to friction, the

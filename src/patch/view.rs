@@ -96,7 +96,7 @@ impl<'a, F: Float> PatchView<'a, F> {
         if sums.iter().all(|sum| sum.is_finite_number()) { Ok(view) } else { Err(Error::Overflow) }
     }
 
-    /// The same patch of unlike materials, with the mismatch `κ` as in
+    /// The same patch of dissimilar materials, with the mismatch `κ` as in
     /// [`Contact`](crate::contact::Contact).
     ///
     /// # Errors

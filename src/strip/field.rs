@@ -18,7 +18,8 @@ pub struct StripTraction<T> {
     pub x: T,
     /// Traction along `y`, divided by `μ Z`. The magnitude of both is at most 1.
     pub y: T,
-    /// Slip of the upper over the lower body along `x`, in the units of the given creepages.
+    /// Slip of the upper body relative to the lower body along `x`, in the units of the given
+    /// creepages.
     pub slip_x: T,
     /// Slip along `y`.
     pub slip_y: T,

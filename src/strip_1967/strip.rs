@@ -44,7 +44,7 @@ pub struct StripPoint<T> {
     pub traction_x: T,
     /// Traction on the lower body along `y`, units of `μ p₀`.
     pub traction_y: T,
-    /// Slip of the upper over the lower body along `x`, units of `2 μ p₀/G`.
+    /// Slip of the upper body relative to the lower body along `x`, units of `2 μ p₀/G`.
     pub slip_x: T,
     /// Slip along `y`, units of `2 μ p₀/G`.
     pub slip_y: T,

@@ -145,8 +145,8 @@ pub struct WheelPair<F> {
     /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right
     /// wheel; position, velocity and wrench are the wheel's own.
     pub left: i32,
-    /// Length over which the distance of the surfaces is smoothed \[m\], >= 0. It is always at
-    /// least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
+    /// Length over which the undeformed gap is smoothed \[m\], >= 0. It is always at least 2.5
+    /// steps of the wheel's profile. For rough profiles set it to 2 mm.
     pub smoothing_length: F,
     /// About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
     pub strips: i32,

@@ -168,11 +168,11 @@ struct PitchRates<F> {
     last: [F; 2],
     /// Largest next step away from where it began.
     outward: F,
-    /// Where the moment falls with the pitch rate, and where it rises: its crest lies between.
+    /// Where the moment falls with the pitch rate, and where it rises: its maximum lies between.
     crest: Option<Bracket<F>>,
     /// Rate of the last balance at which the moment falls.
     falls: Option<F>,
-    /// How many steps the search for a crest has left.
+    /// How many steps the search for a maximum has left.
     crests: usize,
 }
 
@@ -281,7 +281,7 @@ impl<F: Float> PitchRates<F> {
         Some(step)
     }
 
-    /// Where to look for the largest moment, if it is between the last places: friction that falls
+    /// Where to look for the largest moment, if it is between the last places: falling friction
     /// carries it near pure rolling only.
     fn crest_at(&mut self, rate: F, falls: bool) -> Option<F> {
         match (&mut self.crest, self.falls) {

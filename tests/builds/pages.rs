@@ -338,3 +338,26 @@ fn pages_are_in_plain_english() {
     }
     assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
 }
+
+/// The texts of the statuses, the header and the documentation of Python have none of the words.
+#[test]
+fn headers_and_statuses_are_in_plain_english() {
+    // Members and constants have these names
+    const NAMES: [&str; 3] = [" lobe", " neck ", "counts by its"];
+    let mut files = ["include/kstrip.h", "include/kstrip.hpp", "src/status.rs"]
+        .map(|f| root().join(f))
+        .to_vec();
+    files.extend(files_below("bindings/python/kstrip", &["py"]));
+    let mut faults = vec![];
+    for file in files {
+        let text = read(&file).replace("\n * ", " ").replace("\n/// ", " ").replace('\n', " ");
+        let words =
+            WORDS.iter().flat_map(|(better, all)| all.iter().map(move |word| (better, word)));
+        for (better, word) in words.filter(|(_, word)| !NAMES.contains(word)) {
+            if text.contains(word) {
+                faults.push(format!("{}: {word}: {better}", file.display()));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}\n{}", faults.len(), faults.join("\n"));
+}

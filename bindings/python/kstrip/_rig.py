@@ -92,7 +92,7 @@ def fit_friction(creepage: Union[ArrayLike, Batch[Creepage]], force: ArrayLike, 
 
     creepage: longitudinal creepages, or creepages as kstrip.creepage() makes them.
     force: longitudinal forces on the lower body [N]; or n rows of longitudinal and lateral ones, NaN where not measured.
-    start: where to begin, and the members that stay; friction that falls needs its rolling speed.
+    start: where to begin, and the members that stay; falling friction needs its rolling speed.
     fit: members of the law to be found: friction, ratio, decay, slope_factor, slide_factor, layer.
     weight: weight of the squared error of each point.
     Raises KstripError for bad input, with the index of the first bad point.

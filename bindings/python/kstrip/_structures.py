@@ -43,7 +43,7 @@ def creepage(longitudinal: ArrayLike = 0.0, lateral: ArrayLike = 0.0, spin: Arra
 
 def friction(friction: ArrayLike, ratio: ArrayLike = 1.0, decay: ArrayLike = 0.0, rolling_speed: ArrayLike = 0.0,
              slope_factor: ArrayLike = 1.0, slide_factor: ArrayLike = 0.0, layer: ArrayLike = 0.0, dtype: DTypeLike = np.float64) -> Any:
-    """A law of friction that falls with the slip; numbers and arrays broadcast.
+    """A law of falling friction; numbers and arrays broadcast.
 
     friction: coefficient of friction without slip [-].
     ratio: friction at infinite sliding velocity, divided by that without slip [-], 0 to 1.
@@ -123,7 +123,7 @@ def wheel_pair(*, wheel_radius: ArrayLike, shear_modulus: ArrayLike, poisson_rat
     friction: coefficient of friction [-]. friction_places: instead of it up to four pairs (y on the rail [m], coefficient of friction),
         linear between them, for all pairs.
     left: whether it is a left wheel; the profiles are always those of a right one. normal_damping: of the pressure [s/m].
-    smoothing_length: of the distance of the surfaces [m]. strips, model: as in solve(), for all pairs.
+    smoothing_length: of the undeformed gap [m]. strips, model: as in solve(), for all pairs.
     floor_speed: of the speed by which slip is divided [m/s]; 0: 0.02.
     rail_radius: of a roller [m]; 0: a straight rail; its axis is rail_ahead [m] ahead of the wheel's centre, and its surface moves backward
         with rail_speed [m/s].

@@ -252,7 +252,7 @@ class Result(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class Friction(Value):
-    """Friction that falls with the slip: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep curve less steep: slope_factor and slide_factor describe it for a measured or published curve, and layer is an elastic layer that is known. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+    """Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep curve less steep: slope_factor and slide_factor describe it for a measured or published curve, and layer is an elastic layer that is known. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
 
     friction: Coefficient of friction without slip [-], >= 0.
     ratio: Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1: friction is constant.
@@ -649,7 +649,7 @@ class WheelPair(FrictionPlaces):
     friction_at: Coefficient of friction at these places [-], >= 0; linear between them, constant beyond.
     friction_points: How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
     left: 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the wheel's own.
-    smoothing_length: Length over which the distance of the surfaces is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
+    smoothing_length: Length over which the undeformed gap is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
     strips: About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
     model: KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
     normal_damping: Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this factor is negative; the bound of friction changes with it.

@@ -15,14 +15,14 @@ use core::mem::MaybeUninit;
 ///
 /// The sum of the squared differences between measured and computed forces, each times the weight
 /// of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
-/// measured curves need 6 to 20. Each step costs one solution with derivatives for every point.
-/// The search begins at start and at nine other places, unless the points are met exactly, and the
-/// best law is returned, after up to 1000 more steps if 80 do not reach it.
-/// Members of the law that are not fitted keep the values of start. A fitted member that is 0 in
-/// start begins at a usual value; friction that falls needs the rolling speed in start. Bounds
-/// are those of the law: a member that ends at its bound has a standard error of 0, and the status
-/// is KSTRIP_WARNING_FIT_BOUND. If another law has a residual that is at most 1 per cent larger,
-/// the status is KSTRIP_WARNING_SECOND_MINIMUM.
+/// measured curves need 6 to 20. Each step costs one solution with derivatives for every point. The
+/// search begins at start and at nine other places, unless the points are met exactly, and the best
+/// law is returned, after up to 1000 more steps if 80 do not reach it. Members of the law that are
+/// not fitted keep the values of start. A fitted member that is 0 in start begins at a usual value;
+/// falling friction needs the rolling speed in start. Bounds are those of the law: a member that
+/// ends at its bound has a standard error of 0, and the status is KSTRIP_WARNING_FIT_BOUND. If
+/// another law has a residual that is at most 1 per cent larger, the status is
+/// KSTRIP_WARNING_SECOND_MINIMUM.
 ///
 /// Points that lie on one part of the curve do not determine each parameter. The status is then
 /// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors

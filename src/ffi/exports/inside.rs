@@ -21,7 +21,7 @@ use core::mem::MaybeUninit;
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
-/// @param friction        friction that falls with the slip, layer; NULL: constant, none.
+/// @param friction        falling friction, layer; NULL: constant, none.
 /// @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
 /// @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
 ///                        allowed.

@@ -165,7 +165,7 @@ pub extern "C" fn kstrip_patch_summarize(
 ///
 /// @param patch           the patch.
 /// @param creepage        motion at the origin.
-/// @param friction        friction that falls with the slip; NULL: constant.
+/// @param friction        falling friction; NULL: constant.
 /// @param options         KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the
 ///                        models of 1967; NULL for the default. The strip count is checked and
 ///                        otherwise ignored.

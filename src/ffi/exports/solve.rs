@@ -55,14 +55,14 @@ pub extern "C" fn kstrip_solve(
 /// If friction is given, the coefficient of friction falls with the slip and agrees with it; the
 /// contact's own coefficient is ignored. All derivatives include that dependence. Where more than
 /// one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
-/// has the largest. The two models of 1967 are an exception under friction that falls very steeply:
-/// their forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
+/// has the largest. The two models of 1967 are an exception under steeply falling friction: their
+/// forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
 /// thousand such cases another friction, perhaps a larger one, is not found. With
 /// KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        motion.
-/// @param friction        friction that falls with the slip; NULL: constant.
+/// @param friction        falling friction; NULL: constant.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param outputs         where the outputs go.
 /// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
@@ -124,7 +124,7 @@ pub extern "C" fn kstrip_solve_prepared(
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param motion          slip, spin rate, signed rolling speed.
-/// @param friction        friction that falls with the slip; NULL: constant. Its rolling_speed does
+/// @param friction        falling friction; NULL: constant. Its rolling_speed does
 ///                        not count.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param outputs         where the outputs go.

@@ -3,8 +3,8 @@
 //! Zones less than 5 mm apart are one contact, and zones more than 7 mm apart are not. Between
 //! these distances both hold, each by a share. Everything depends on the **free length** between
 //! zones: the length along the rail over which the surfaces do not overlap. It does not change when
-//! a zone between two others begins with no depth, nor when a zone is divided by a crest that rises
-//! out of the overlap.
+//! a zone between two others begins with no depth, nor when a zone is divided by a local maximum
+//! that rises out of the overlap.
 //!
 //! For a length `T` between 5 and 7 mm and a depth `ℓ`, a zone is *strong* where it is deeper than
 //! `ℓ`.

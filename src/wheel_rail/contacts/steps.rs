@@ -1,7 +1,7 @@
 //! Derivatives of a wheel's forces with respect to its position, from contacts after small steps.
 //!
-//! The line of contact, the distance of the surfaces, zones, cells, pressures and strips follow
-//! their exact derivatives; what follows from these is computed anew after each step.
+//! The line of contact, the undeformed gap, zones, cells, pressures and strips follow their exact
+//! derivatives; what follows from these is computed anew after each step.
 
 use super::groups::{BAND, Group, Groups, Overlaps};
 use super::moves::PointMoves;
@@ -44,9 +44,9 @@ const CREEPAGE: f64 = 1e-3;
 const SLOW: f64 = 0.02;
 
 impl<F: Float> Scene<'_, F> {
-    /// Adds the derivatives of a wrench by the position: exact ones of the distance of the surfaces
-    /// and of the strips; those of frames, creepages and creep forces by differences to one side,
-    /// in single precision to both. The memory of the last contact that there may be is used.
+    /// Adds the derivatives of a wrench by the position: exact ones of the undeformed gap and of
+    /// the strips; those of frames, creepages and creep forces by one-sided differences, in
+    /// single precision by central ones. The memory of the last contact that there may be is used.
     #[inline(never)]
     pub(crate) fn add_slopes_by_position(
         &self, state: &BodyState<F>, memory: &mut Workspace<F>, found: &Wrench<F>,

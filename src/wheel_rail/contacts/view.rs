@@ -170,7 +170,7 @@ impl<'a, F: Float> View<'a, F> {
         step / (weights + F::TINY)
     }
 
-    /// The distance of the surfaces as a profile. None for a gap without points.
+    /// The undeformed gap as a profile. None for a gap without points.
     pub fn profile(&self) -> Result<Option<Profile<'a, F>>, Error> {
         let [along, distance, x, .., rolling_radius] = self.lists;
         if along.len() < 2 {

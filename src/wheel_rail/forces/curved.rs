@@ -9,7 +9,7 @@
 //! for the wheel's six velocities `u`, and `Q` is the wrench. A rail that moves adds its speed at
 //! the strip to the first, and the rate of a roller about the strip's normal to the last. The
 //! derivatives of a strip's forces with respect to its own creepages, `J_i`, give
-//! `∂Q/∂u = Σ B_iᵀ J_i B_i/V`. Friction that falls with the slip has one share
+//! `∂Q/∂u = Σ B_iᵀ J_i B_i/V`. Falling friction has one share
 //! `λ = g(P/(λ Σ μ₀ N), V)` for all strips, and forces are homogeneous in creepages, mismatch and
 //! `λ`:
 //!

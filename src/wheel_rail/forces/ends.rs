@@ -13,7 +13,7 @@ use crate::status::Error;
 pub struct Law<'a, F> {
     /// The model.
     pub model: Model,
-    /// Friction that falls with the slip; its own coefficient and rolling speed are ignored.
+    /// Falling friction; its own coefficient and rolling speed are ignored.
     pub falling: Option<&'a SlipFriction<F>>,
 }
 
