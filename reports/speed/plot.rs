@@ -151,8 +151,8 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
         let legend = [
             "Random contacts with spin, double precision. Filled: one call for each contact. Open: \
              a contact of a",
-            "batch of 100, or prepared beforehand. Lines join settings of one method. Pale band: no \
-             other method",
+            "batch of 100, or prepared beforehand. Lines join settings of one method. Pale band: \
+             no other method",
             "is better in both. Larger errors lie outside: LINEAR, which has no saturation; \
              derivatives of",
             "FaStrip 50x50 and Vermeulen-Johnson.",
