@@ -287,7 +287,9 @@ fn strips_that_slide_have_the_slip_of_the_surfaces() {
     let contacts = contacts(3e-3, false);
     let velocity = Velocity { forward: 5.0, pitch: -15.0 / 0.4191, ..Velocity::default() };
     for (contact, strip) in contacts.iter().flat_map(|contact| {
-        across(&[contact.clone()], &velocity, STRIP).into_iter().map(move |strip| (contact, strip))
+        across(std::slice::from_ref(contact), &velocity, STRIP)
+            .into_iter()
+            .map(move |strip| (contact, strip))
     }) {
         // the mean of slip along each strip; the radius at the strip is about that of its contact
         let expected = 15.0 * contact.radius / 0.4191 - 5.0;
