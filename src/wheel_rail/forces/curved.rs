@@ -24,7 +24,7 @@ use crate::friction::SlipFriction;
 use crate::motion::Rolling;
 use crate::number::{Float, add, at, set_at};
 use crate::patch::each_strip::{AtStrip, By, Visited, creepage_at, each_strip};
-use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchStrip, PatchView};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::touch::line_of_contact::Axes;
@@ -267,18 +267,19 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
     ) -> Creepages<F> {
         let per_speed = F::one() / self.speed;
-        let of = |(k, place): (usize, &PatchStrip<F>)| {
+        let mut own = Creepages::new();
+        for (k, place) in view.strips().iter().enumerate() {
             let OwnFrame { rows, at_rest } = strip(k);
             let patch = creepage_at(creepage, place.centre_x, place.y);
             let [x, y, spin] = rows.map(|row| dot(&row, self.velocity));
             let [slip_x, slip_y, spin_rate] = at_rest;
-            Creepage {
+            let _ = own.push(Creepage {
                 longitudinal: (x + slip_x) * per_speed - patch.longitudinal,
                 lateral: (y + slip_y) * per_speed - patch.lateral,
                 spin: (spin + spin_rate) * per_speed - patch.spin,
-            }
-        };
-        view.strips().iter().enumerate().map(of).collect()
+            });
+        }
+        own
     }
 
     fn creep(
