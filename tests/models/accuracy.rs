@@ -106,8 +106,8 @@ impl Measured {
     }
 }
 
-/// The error of the theory of 1967 where it is meant to be used, a/b to 0.2 and |ψ| below 1, is that
-/// of the page on the models.
+/// The error of the theory of 1967 where it is meant to be used, a/b to 0.2 and |ψ| below 1, is
+/// that of the page on the models.
 #[test]
 fn the_page_has_the_error_of_the_theory_where_it_is_meant() {
     let cases: Vec<Case> =
