@@ -3,7 +3,7 @@
  * kstrip for C++17 and later: the functions of kstrip.h, with units in the types.
  *
  * Every structure here has the layout of its C namesake, every function is one call of its C namesake:
- * see kstrip.h for axes, signs, ranges and statuses. Each function comes in two forms:
+ * see kstrip.h for axes, signs, ranges and statuses. Each function has two forms:
  *
  * - One form has the outputs as last arguments, returns kstrip::status and never throws.
  * - The other form returns the outputs and throws kstrip::error if the status is negative. It does not exist where exceptions are
@@ -150,7 +150,7 @@ enum class [[nodiscard]] status : std::int32_t {
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
 constexpr bool is_warning(status s) noexcept { return static_cast<std::int32_t>(s) > 0; }
-/// What the status means and what to change.
+/// The cause of the status and the remedy.
 inline const char *to_string(status s) noexcept { return kstrip_status_string(static_cast<kstrip_status>(s)); }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
@@ -332,13 +332,13 @@ namespace detail {
 /// The precision of a number or quantity.
 template <class X> struct precision { using type = X; };
 template <class Unit, class T> struct precision<quantity<Unit, T>> { using type = T; };
-/// That of the elements of an array, a vector, a span.
+/// The precision of the elements of an array, a vector, a span.
 template <class C>
 using precision_of =
     typename precision<std::remove_cv_t<std::remove_reference_t<decltype(*std::begin(std::declval<C &>()))>>>::type;
 } // namespace detail
 
-/// Numbers one after the other in the caller-provided memory: arrays, vectors or spans of quantities with this unit, or of plain numbers, which
+/// A sequence of numbers in caller-provided memory: arrays, vectors or spans of quantities with this unit, or of plain numbers, which
 /// are taken as SI units (metres).
 template <class Unit, class T>
 class numbers {
@@ -381,7 +381,7 @@ template <class X> auto to_c(X *p) noexcept { return reinterpret_cast<typename t
 template <class F, class... A>
 status call(F function, A... arguments) noexcept { return static_cast<status>(function(to_c(arguments)...)); }
 
-/// The size of an array for C, where sizes have 32 bits. Of a larger array the elements beyond are not used.
+/// The size of an array for C, where sizes have 32 bits. The elements beyond are not used.
 constexpr std::uint32_t capacity(std::size_t size) noexcept
 {
     return size > 0xffffffffu ? 0xffffffffu : static_cast<std::uint32_t>(size);
@@ -539,7 +539,7 @@ template <class T>
 basic_combined_material<T> combine(const basic_material<T> &lower, const basic_material<T> &upper)
 KSTRIP_HPP_THROWING(basic_combined_material<T>, combine, lower, upper, to)
 
-/// What contact_from_hertz() returns.
+/// Result of contact_from_hertz().
 template <class T>
 struct basic_hertz {
     basic_contact<T> contact;
@@ -551,7 +551,7 @@ basic_hertz<T> contact_from_hertz(const basic_radii<T> &curvatures, const basic_
                                   detail::only<basic_newtons<T>> load, detail::only<T> friction)
 KSTRIP_HPP_THROWING(basic_hertz<T>, contact_from_hertz, curvatures, pair, load, friction, to.contact, &to.ellipse)
 
-/// What contact_from_approach() returns.
+/// Result of contact_from_approach().
 template <class T>
 struct basic_approach {
     basic_contact<T> contact;
@@ -675,7 +675,7 @@ template <class T>
 struct basic_result {
     basic_newtons<T> fx, fy;
     basic_newton_metres<T> mz;
-    basic_newtons<T> power; ///< power over rolling speed: joules per metre rolled
+    basic_newtons<T> power; ///< power divided by rolling speed: joules per metre rolled
     T adhesion;
     kstrip::status status_detail;
     std::int32_t reserved;
@@ -700,7 +700,7 @@ KSTRIP_HPP_BOTH(friction)
 /// Derivatives of fx, fy, mz.
 template <class T>
 struct basic_derivatives {
-    T jacobian[3][3]; ///< by longitudinal, lateral, spin, row by row
+    T jacobian[3][3]; ///< with respect to longitudinal, lateral, spin, row by row
     T normal_force[3];
     T load_through_hertz[3];
     T friction[3];
@@ -773,7 +773,7 @@ struct basic_batch_inputs {
 };
 KSTRIP_HPP_BOTH(batch_inputs)
 
-/// Where the results of a batch go; null where a quantity is not needed.
+/// Where the results of a batch go; null if a quantity is not needed.
 template <class T>
 struct basic_batch_outputs {
     basic_newtons<T> *fx = nullptr;
@@ -819,7 +819,7 @@ KSTRIP_HPP_BOTH(motion)
 /// Derivatives of fx, fy, mz with respect to motion, load and friction. See kstrip_motion_derivatives.
 template <class T>
 struct basic_motion_derivatives {
-    T slip[3][3]; ///< by slip_x, slip_y, spin_rate, row by row
+    T slip[3][3]; ///< with respect to slip_x, slip_y, spin_rate, row by row
     T rolling_speed[3];
     T normal_force[3];
     T load_through_hertz[3];
@@ -849,7 +849,7 @@ status solve(const basic_contact<T> &ellipse, const detail::only<basic_creepage<
     return KSTRIP_HPP_CALL(kstrip_solve, &ellipse, &creep, &how, &to);
 }
 
-/// `law`: null where friction is constant.
+/// `law`: null if friction is constant.
 template <class T>
 status evaluate(const basic_contact<T> &ellipse, const detail::only<basic_creepage<T>> &creep,
                 const detail::only<basic_friction<T>> *law, const options &how,
@@ -937,7 +937,7 @@ status solve_linear(const basic_contact<T> &ellipse, const detail::only<basic_cr
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
-/// What evaluate() returns.
+/// Result of evaluate().
 template <class T>
 struct basic_evaluation {
     basic_result<T> result;
@@ -946,7 +946,7 @@ struct basic_evaluation {
     T friction;
     operator basic_outputs<T>() noexcept { return {&result, &derivatives, &law_derivatives, &friction}; }
 };
-/// What solve_motion() returns.
+/// Result of solve_motion().
 template <class T>
 struct basic_motion_solution {
     basic_result<T> result;
@@ -990,7 +990,7 @@ void run_batch(const Contacts &contacts, const Creepages &creepages, const optio
 template <class Creepages> using batch_precision = decltype(std::declval<const Creepages &>().data()->longitudinal + 0);
 } // namespace detail
 
-/// Returns one result for each creepage. Pass one contact for all creepages, or as many contacts as creepages; `law`, null where friction is
+/// Returns one result for each creepage. Pass one contact for all creepages, or as many contacts as creepages; `law`, null if friction is
 /// constant, is for all. The exception has the index of the first bad input.
 template <class Contacts, class Creepages, class T = detail::batch_precision<Creepages>>
 std::vector<basic_result<T>> evaluate_batch(const Contacts &contacts, const Creepages &creepages,
@@ -1203,7 +1203,7 @@ status summarize(const basic_patch<T> &area, basic_patch_summary<T> &to) noexcep
     return KSTRIP_HPP_CALL(kstrip_patch_summarize, &area, &to);
 }
 
-/// `law`: null where friction is constant.
+/// `law`: null if friction is constant.
 template <class T>
 status evaluate(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &creep,
                 const detail::only<basic_friction<T>> *law, const options &how,
@@ -1236,7 +1236,7 @@ status field(const basic_patch<T> &area, const detail::only<basic_creepage<T>> &
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
-/// What patch_from_profile() returns.
+/// Result of patch_from_profile().
 template <class T>
 struct basic_profile_patch {
     basic_patch<T> patch;
@@ -1282,7 +1282,7 @@ basic_evaluation<T> evaluate_strips(const basic_patch<T> &area, const detail::on
                                     const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_evaluation<T>, evaluate_strips, area, creep, own, law, how, to)
 
-/// What each strip of a contact or a patch carries. `law`: null where friction is constant.
+/// The forces of each strip of a contact or a patch. `law`: null if friction is constant.
 template <template <class> class Area, class T>
 std::vector<basic_strip<T>> strips(const Area<T> &area, const detail::only<basic_creepage<T>> &creep,
                                    const options &how = {}, const detail::only<basic_friction<T>> *law = nullptr)
@@ -1408,7 +1408,7 @@ struct basic_wheel_contact {
     basic_metres<T> approach;
     basic_newtons_per_metre<T> stiffness;
     basic_metres<T> along;
-    T normal[6], slip_x[6], slip_y[6], spin_rate[6], rolling_speed[6]; ///< by the members of the velocity
+    T normal[6], slip_x[6], slip_y[6], spin_rate[6], rolling_speed[6]; ///< derivatives with respect to the members of the velocity
     T normal_damping;
     basic_motion<T> at_rest; ///< of the rail's surface
     basic_patch<T> patch;
@@ -1540,7 +1540,7 @@ status wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity
     return KSTRIP_HPP_CALL(kstrip_wheel_motion, &at, &moves, &to);
 }
 
-/// `law`: null where friction is constant; `count` receives the number of strips.
+/// `law`: null if friction is constant; `count` receives the number of strips.
 template <class T>
 status contact_power_across(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves, model how,
                             const detail::only<basic_friction<T>> *law,
@@ -1550,7 +1550,7 @@ status contact_power_across(const basic_wheel_contact<T> &at, const basic_wheel_
                            detail::capacity(to.size()), &count);
 }
 
-/// `law`: null where friction is constant; `slopes`: null where they are not needed.
+/// `law`: null if friction is constant; `slopes`: null if they are not needed.
 template <class T>
 status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
                             const basic_wheel_velocity<T> &moves, model how,
@@ -1561,7 +1561,7 @@ status wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> con
                            static_cast<std::int32_t>(how), law, &to, slopes);
 }
 
-/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not needed.
+/// `law`: null if friction is constant; `slopes`, `by_position`: null if they are not needed.
 template <class T>
 status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                      const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
@@ -1670,7 +1670,7 @@ struct basic_profile_points {
     std::vector<basic_metres<T>> z;
     std::uint32_t notes; ///< findings and changes, a sum of KSTRIP_NOTE_
 };
-/// Reads a file. Its extension says the kind if `format` does not. Throws std::system_error for a file that cannot be opened.
+/// Reads a file. Its extension determines the kind if `format` does not. Throws std::system_error for a file that cannot be opened.
 template <class T = double>
 basic_profile_points<T> read_profile(const std::string &path, std::uint32_t format = KSTRIP_FORMAT_ANY)
 {
@@ -1723,7 +1723,7 @@ template <class T>
 basic_surface<T> profile_between(const basic_surface<T> &first, const basic_surface<T> &second, detail::only<T> share)
 KSTRIP_HPP_THROWING(basic_surface<T>, profile_between, first, second, share, to)
 
-/// What touch() returns.
+/// Result of touch().
 template <class T>
 struct basic_touch {
     basic_gap<T> gap;
@@ -1756,7 +1756,7 @@ template <class T>
 basic_motion<T> wheel_motion(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves)
 KSTRIP_HPP_THROWING(basic_motion<T>, wheel_motion, at, moves, to)
 
-/// Load, sliding velocity and frictional power of each strip of a contact. `law`: null where friction is constant.
+/// Load, sliding velocity and frictional power of each strip of a contact. `law`: null if friction is constant.
 template <class T>
 std::vector<basic_strip_power<T>> contact_power_across(const basic_wheel_contact<T> &at, const basic_wheel_velocity<T> &moves,
                                                        model how = model::default_,
@@ -1775,14 +1775,14 @@ struct basic_wheel_forces {
     basic_wrench<T> wrench;
     basic_wrench_derivatives<T> derivatives; ///< with respect to velocity and friction
 };
-/// `law`: null where friction is constant.
+/// `law`: null if friction is constant.
 template <class T>
 basic_wheel_forces<T> wrench_from_contacts(detail::only<span<const basic_wheel_contact<T>>> contacts,
                                            const basic_wheel_velocity<T> &moves, model how = model::default_,
                                            const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_wheel_forces<T>, wrench_from_contacts, contacts, moves, how, law, to.wrench, &to.derivatives)
 
-/// The wrench alone. `law`: null where friction is constant.
+/// The wrench alone. `law`: null if friction is constant.
 template <class T>
 basic_wrench<T> wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                               const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
@@ -1813,9 +1813,9 @@ template <class T>
 struct basic_wheel_evaluation {
     basic_wrench<T> wrench;
     basic_wrench_derivatives<T> derivatives; ///< with respect to velocity and friction
-    basic_wrench_by_position<T> by_position; ///< zero where they are not asked for
+    basic_wrench_by_position<T> by_position; ///< zero unless they are requested
 };
-/// `law`: null where friction is constant. `by_position`: whether to compute the derivatives with respect to the position too.
+/// `law`: null if friction is constant. `by_position`: whether to compute the derivatives with respect to the position too.
 template <class T>
 basic_wheel_evaluation<T> wheel_on_rail_with_derivatives(
     const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
@@ -2040,7 +2040,7 @@ template <class T>
 basic_metres<T> gauge_face(const basic_surface<T> &rail, detail::only<basic_metres<T>> depth = {})
 KSTRIP_HPP_THROWING(basic_metres<T>, gauge_face, rail, depth, to)
 
-/// What curve_motion() returns.
+/// Result of curve_motion().
 template <class T>
 struct basic_curve_motion {
     basic_wheel_velocity<T> velocity;
@@ -2064,7 +2064,7 @@ template <class T>
 struct basic_wheelset_evaluation {
     basic_wheelset_forces<T> forces;
     basic_wheelset_derivatives<T> derivatives; ///< with respect to velocities and friction
-    basic_wheelset_by_position<T> by_position; ///< zero where they are not asked for
+    basic_wheelset_by_position<T> by_position; ///< zero unless they are requested
 };
 /// `by_position`: whether to compute the derivatives with respect to the positions too.
 template <class T>
@@ -2074,7 +2074,7 @@ basic_wheelset_evaluation<T> wheelset_on_track_with_derivatives(
 KSTRIP_HPP_THROWING(basic_wheelset_evaluation<T>, wheelset_on_track, set, rails, where, moves, workspace, to.forces,
                     &to.derivatives, by_position ? &to.by_position : nullptr)
 
-/// A wheelset in balance: what wheelset_settle() returns.
+/// A wheelset in balance: the result of wheelset_settle().
 template <class T>
 struct basic_settled {
     basic_wheel_position<T> position;
@@ -2105,7 +2105,7 @@ results<basic_wheelset_forces<T>> wheelsets_on_track(const basic_wheelset<T> &se
     return found;
 }
 
-/// What wheelsets_settle() returns: one element for each balance.
+/// Result of wheelsets_settle(): one element for each balance.
 template <class T>
 struct basic_many_settled {
     std::vector<basic_wheel_position<T>> position;
@@ -2147,7 +2147,7 @@ results<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &set,
     return to;
 }
 
-/// What equivalent_conicity() returns: one for each amplitude.
+/// Result of equivalent_conicity(): one for each amplitude.
 template <class T>
 struct basic_conicities {
     std::vector<T> conicities;

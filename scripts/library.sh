@@ -7,8 +7,8 @@
 #
 # cargo's own archive brings Rust's compiler-builtins, which stand in front of the C library's cbrt,
 # fma, fmod, sqrt and others in a client's link, or break it. Link-time optimisation leaves kstrip
-# itself as one object in which everything but kstrip_* is local and which wants nothing but memcpy
-# and memset: both libraries are made of that object alone. (Firmware without a C library links
+# itself as one object in which everything but kstrip_* is local and which needs only memory
+# functions such as memcpy and memset: both libraries are made of that object alone. (Firmware without a C library links
 # cargo's archive, with the builtins: docs/reference/embedded.md.)
 #
 # CARGO, CC, AR     the tools

@@ -1,4 +1,4 @@
-"""The contacts of wheels: how they move, and what acts in each."""
+"""The contacts of wheels: their motion and their forces."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ def wheel_motion(contacts: Many[WheelContact], velocity: Many[WheelVelocity], on
 
 
 class OfContacts:
-    """What acts in each contact of wheels, for results that have contacts, pair, velocity and friction."""
+    """Forces in each contact of wheels, for results that have contacts, pair, velocity and friction."""
 
     __slots__ = ()
     if TYPE_CHECKING:

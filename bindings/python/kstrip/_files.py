@@ -27,7 +27,7 @@ class Profile(Group):
     """The points of a wheel's or a rail's profile as the library takes them.
 
     y, z: in metres, shape (n,), toward larger y, z down; the flange of a wheel and the gauge side of a rail are at small y.
-    kind: "wheel" or "rail". name: that of the file. notes: what the file contained and what was changed, a sentence each.
+    kind: "wheel" or "rail". name: that of the file. notes: contents of the file and changes, a sentence each.
     source: the path of the file.
     """
 
@@ -54,17 +54,17 @@ def read_profile(path: Path, *, kind: Optional[str] = None, units: Union[str, fl
     """Reads a profile file: a wheel or a rail the right way round, in metres.
 
     Formats: SIMPACK and CONTACT (.prw, .prr), MiniProf (.whl, .ban, .mpt), Vampire (.whe, .rai), DXF (with the package ezdxf), JSON
-    with y and z, and tables of text and CSV. The convention of the format decides which way the points stand. If it has none, or `kind`
+    with y and z, and tables of text and CSV. The convention of the format decides the directions of y and z. If it has none, or `kind`
     contradicts it, the shape of the tread or of the head decides. `notes` list findings and changes.
 
-    kind: "wheel" or "rail"; None: as header, extension or shape say.
-    units: of the file: "mm", "m", "cm", "in" or metres per unit; None: as header, size or shape say.
-    mirror_y, mirror_z: whether to change the signs of the file's y and z; None: as convention or shape say. The gauge side of a rail is the
+    kind: "wheel" or "rail"; None: from header, extension or shape.
+    units: of the file: "mm", "m", "cm", "in" or metres per unit; None: from header, size or shape.
+    mirror_y, mirror_z: whether to change the signs of the file's y and z; None: by convention or shape. The gauge side of a rail is the
         one farther from its top; of a symmetric rail y stays as it is.
     shift: added at the end [m, m]. y = 0 of a wheel is its running circle, z = 0 the height of its nominal radius.
     columns: the columns of y and z in a table, as numbers from 0 or as names; None: the columns that are named y and z, or the only two.
     skip: number of lines before a table. missing: a value or several, such as -9999 or "NaN", whose lines are left out.
-    decimal: "." or ","; None: as the table says.
+    decimal: "." or ","; None: found from the table.
     Raises ProfileError with file and line for what cannot be read, OSError for a file that is not there. Warns with ProfileWarning if the
     evidence is weak, or if the shape contradicts the file.
 
@@ -81,7 +81,7 @@ def read_profiles(paths: Iterable[Path], *, kind: Optional[str] = None, units: U
                   mirror_y: Optional[bool] = None, mirror_z: Optional[bool] = None, shift: Sequence[float] = (0.0, 0.0),
                   columns: Optional[Sequence[Union[int, str]]] = None, skip: int = 0,
                   missing: Union[None, str, float, Sequence[Union[str, float]]] = None, decimal: Optional[str] = None) -> list[Profile]:
-    """Reads a series of files of one kind, such as the slices of a crossing or a wheel that was measured again and again.
+    """Reads a series of files of one kind, such as the slices of a crossing or one wheel on many dates.
 
     As read_profile(), but units, kind, side and direction of z are decided once, from all of them together.
 
@@ -381,8 +381,8 @@ def write_profile(path: Union[str, os.PathLike[str]], profile: Profile) -> None:
     """Writes a profile that read_profile() reads again, in the format of the extension, in mm to the nanometre.
 
     .prw and .prr: SIMPACK; .whl and .ban: MiniProf; .csv: with the names y_mm, z_mm; any other: two columns.
-    The flange or the gauge side is at small y, and z points down. A .whl file has y as the profile has it, and its header says so by
-    `Origin=running circle`; instruments have y = 0 at the flange back.
+    The flange or the gauge side is at small y, and z points down. A .whl file has the y of the profile, and `Origin=running circle` in its
+    header; instruments have y = 0 at the flange back.
 
     >>> kstrip.write_profile("s1002.prw", kstrip.read_profile("s1002.csv"))
     >>> kstrip.read_profile("s1002.prw").notes[0]

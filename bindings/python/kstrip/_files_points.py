@@ -17,7 +17,7 @@ _MANY, _FEW = 32768, 1000
 
 
 class ProfileError(ValueError):
-    """A profile file that cannot be read; `path`, and `line` if a line is at fault."""
+    """A profile file that cannot be read, with `path`, and with `line` if one line is the cause."""
 
     def __init__(self, path: Any, line: Optional[int], message: str):
         super().__init__(path, line, message)

@@ -23,7 +23,7 @@ def estimate_friction(contact: Many[Contact], creepage: Many[Creepage], *, fx: O
                       threads: int = 1, progress: bool = False) -> Any:
     """The friction that explains a measured force [N] on the lower body: friction, sensitivity, residual, status_detail.
 
-    Give fx, fy or both; the friction of the contact does not count, nor does that of a law. All arguments broadcast.
+    Pass fx, fy or both; the coefficients of the contact and of the law are ignored. All arguments broadcast.
     on_error, threads, progress: as in solve().
 
     >>> contact = kstrip.contact(a=6e-3, b=4.5e-3, normal_force=80e3, shear_modulus=82e9, poisson_ratio=0.28, friction=0.0)

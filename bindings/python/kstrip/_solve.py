@@ -1,4 +1,4 @@
-"""Forces of contacts and patches in motion, their derivatives, and what is inside."""
+"""Forces of contacts and patches in motion, their derivatives, strips and tractions."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _MOTION_OUTPUTS = struct.Struct("3P")
 
 @dataclass(slots=True, repr=False, eq=False)
 class Evaluation(Group):
-    """What evaluate() returns. Each member has the shape to which the inputs broadcast; None if it was not requested.
+    """Result of evaluate(). Each member has the shape to which the inputs broadcast; None if it was not requested.
 
     result: fx, fy [N], mz [N m], power [N], adhesion, status_detail.
     friction: the coefficient of friction that agrees with the slip; of a patch the factor that its strips have in common.
@@ -47,7 +47,7 @@ class Evaluation(Group):
 
 @dataclass(slots=True, repr=False, eq=False)
 class MotionEvaluation(Group):
-    """What solve_motion() returns. Each member has the shape to which the inputs broadcast.
+    """Result of solve_motion(). Each member has the shape to which the inputs broadcast.
 
     result: fx, fy [N], mz [N m], power [W], adhesion, status_detail.
     friction: the coefficient of friction that agrees with the slip.

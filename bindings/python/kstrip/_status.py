@@ -34,7 +34,7 @@ class KstripError(ValueError):
     """A negative status of the C library.
 
     status, name: its number, and its name in kstrip.h. index: of array calls the index of the first element that failed; None for one
-    value. results: what the function would have returned, where failed elements are NaN. statuses: the status of each element.
+    value. results: all results, NaN for failed elements. statuses: the status of each element.
 
     >>> shifts = kstrip.wheel_position(lateral=[-10e-3, 0.5])
     >>> try:

@@ -102,7 +102,7 @@ def prepared(argument: str, profile: Any, single: bool) -> bytes:
 
 @dataclass(slots=True, repr=False, eq=False)
 class WheelOnRail(OfContacts, Group):
-    """What acts on wheels. Each member has the shape to which pair, position, velocity and friction broadcast.
+    """Forces on wheels. Each member has the shape to which pair, position, velocity and friction broadcast.
 
     wrench: force [N], moment [N m], dissipation [W], normal_force [N], contacts, status_detail.
     derivatives: with respect to velocity and to a factor of friction.

@@ -193,7 +193,7 @@ class WheelOfWheelset(OfContacts, Group):
 
 @dataclass(slots=True, repr=False, eq=False)
 class WheelsetOnTrack(Group):
-    """What acts on wheelsets and rails. Each member has the shape to which position and velocity broadcast.
+    """Forces on wheelsets and rails. Each member has the shape to which position and velocity broadcast.
 
     forces: wrench on the wheelset, wheel: on the right and the left wheel, rail: forces on the rails.
     derivatives: with respect to the ten velocities and to friction.
@@ -361,7 +361,7 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
 
 @dataclass(slots=True, repr=False, eq=False)
 class Conicity(Group):
-    """What equivalent_conicity() returns: arrays of the shape of the amplitudes.
+    """Result of equivalent_conicity(): arrays in the shape of the amplitudes.
 
     conicity: [-]; 0: the wheelset does not steer. wave_length: [m]; infinite where the conicity is 0. statuses: of each amplitude.
     """
