@@ -106,25 +106,26 @@ fn normal_row(report: &mut Report, name: &str, list: &[&Compared]) {
 fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line("## How far from CONTACT: profiles\n");
     report.line(
-        "30 profiles whose normal and tangential problem CONTACT solved on elastic \
-         half-spaces (`tests/data/patches`), nine creepages each:",
+        "CONTACT solved the normal and the tangential problem of 30 profiles on elastic \
+         half-spaces (`tests/data/patches`), with nine creepages",
     );
     report.line(
-        "steel (`ν = 0.28`), 31 to 100 kN, friction 0.3, and patches whose length along \
-         the rolling direction is 0.6 to 4.7 of their width. 16 strips,",
+        "each. The bodies are of steel (`ν = 0.28`), the load is 31 to 100 kN, the friction 0.3, \
+         and the length of the patches along the rolling",
     );
     report.line(
-        "default smoothing. Errors of area, peak pressure and approach in %, mean / \
-         largest; of the force in units of `μ N` and of",
+        "direction is 0.6 to 4.7 of their width. The patches have 16 strips and the default \
+         smoothing. Errors of area, peak pressure and approach",
     );
     report.line(
-        "the moment in units of `μ N c`, `c = √(area/π)`, mean / 95th percentile / \
-         largest. The column of STRIP on CONTACT's own outline and loads",
+        "are in %, mean / largest. Errors of the force are in units of `μ N`, those of the moment \
+         in units of `μ N c` with `c = √(area/π)`; both are",
     );
     report.line(
-        "shows which part of the error comes from the tangential model: nearly all of it. \
-         Profiles of the family `hertz` are parabolas, for control.\n",
+        "mean / 95th percentile / largest. One column has STRIP on CONTACT's own outline and \
+         loads: nearly all of the error comes from the",
     );
+    report.line("tangential model. Profiles of the family `hertz` are parabolas, for control.\n");
     report.header(&[
         "family",
         "profiles",
@@ -167,17 +168,18 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
 fn other_tables(report: &mut Report) {
     report.line("\n## Given strips, friction in bands, falling friction\n");
     report.line(
-        "Force and moment with STRIP, mean / 95th percentile / largest. Given strips have \
-         half-elliptic pressure. The strips of skewed patches have",
+        "The table has the errors of force and moment with STRIP, mean / 95th percentile / \
+         largest. Given strips have half-elliptic pressure. The",
     );
     report.line(
-        "their centres off `x = 0`. Bands and falling friction are on ellipses of 16 \
-         strips with `a/b` 0.5, 1 and 2.5. All are of steel (`ν = 0.28`).",
+        "strips of skewed patches have centres beside `x = 0`. Bands and falling friction are on \
+         ellipses of 16 strips with `a/b` 0.5, 1 and 2.5. All",
     );
     report.line(
-        "CONTACT's friction falls with the slip of each point, ours with the mean slip of \
-         the patch. One row has all families of falling friction.\n",
+        "are of steel (`ν = 0.28`). In CONTACT friction falls with the slip of each point, here \
+         with the mean slip of the patch. One row has all",
     );
+    report.line("families of falling friction.\n");
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -212,14 +214,17 @@ impl Uniform {
 fn noise_table(report: &mut Report, list: &[Compared]) {
     report.line("\n## Measured points\n");
     report.line(
-        "Change of the force, in units of `μ N`, of the 30 profiles and nine creepages \
-         when their points are measured. The points are 0.05 mm apart.",
+        "The table has the change of the force, in units of `μ N`, for the 30 profiles and nine \
+         creepages if their points are measured. The points",
     );
     report.line(
-        "Each profile was disturbed 20 times with noise of 5 µm rms, and 20 times with one \
-         point that is wrong by 20 µm. The largest changes come from",
+        "are 0.05 mm apart. Each profile was disturbed 20 times with noise of 5 µm rms, and 20 \
+         times with one point that is wrong by 20 µm. The",
     );
-    report.line("noise that tilts a wide patch with spin, and moves its middle by 0.1 mm.\n");
+    report.line(
+        "largest changes come from noise that tilts a wide patch with spin and moves its middle \
+         by 0.1 mm.\n",
+    );
     report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
     let mut uniform = Uniform(20_260_117);
     for bad in [false, true] {
@@ -330,16 +335,16 @@ fn pressed(load: f64) -> ProfileContact<f64> {
 fn real_table(report: &mut Report, list: &[Case]) {
     report.line("\n## Real wheels on real rails\n");
     report.line(
-        "36 patches of six pairs of profiles, new and worn, with yaw (`tests/data/real`). \
-         Each point has its rolling radius and its place along `x`.",
+        "The 36 patches are from six pairs of profiles, new and worn, with yaw \
+         (`tests/data/real`). Each point has its rolling radius and its place",
     );
     report.line(
-        "The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, friction 0.3, and \
-         the mean length of the patches is 0.3 to 24 of their width.",
+        "along `x`. The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, the friction \
+         0.3, and the mean length of the patches is 0.3 to 24",
     );
     report.line(
-        "Creepages and moment are about the origin of the profile. The errors against \
-         CONTACT are defined as above.\n",
+        "of their width. Creepages and moment are about the origin of the profile. The errors \
+         against CONTACT are defined as above.\n",
     );
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();
@@ -373,8 +378,8 @@ fn real_table(report: &mut Report, list: &[Case]) {
 fn smoothing_table(report: &mut Report, list: &[Case]) {
     report.line("\n## What smoothing does\n");
     report.line(
-        "Mean error of the peak pressure of the real patches, in %, when their points are \
-         measured with noise.\n",
+        "The table has the mean error of the peak pressure of the real patches, in %, if their \
+         points are measured with noise.\n",
     );
     report.header(&["smoothing length", "no noise", "2 µm rms", "5 µm rms"]);
     for (name, smoothing_length) in
