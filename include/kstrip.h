@@ -64,14 +64,16 @@
  *
  * - A function returns a kstrip_status, but for kstrip_status_string() and the two versions: 0 is
  *   success, > 0 a warning with valid outputs, < 0 an error with outputs untouched. kstrip_status_string()
- *   returns the cause and the remedy. A workspace, and the contacts of
- *   kstrip_contacts_from_gap(), are memory of the computation and may change before an error. Where a function writes an array
- *   statuses, only the outputs of the elements with an error are untouched, and the others have their results.
- * - An implausible input alone is a warning. Where it leads to an error, the error is the one that names the likely cause.
- * - Where more than one warning holds, the most serious is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
+ *   returns the cause and the remedy. A workspace, and the contacts of kstrip_contacts_from_gap(), may change before an error.
+ *   If a function writes an array of statuses, only the outputs of elements with an error are untouched.
+ * - Each function lists its statuses. The usual statuses are KSTRIP_OK, KSTRIP_ERROR_NULL (a pointer that must be given is NULL),
+ *   KSTRIP_ERROR_NOT_FINITE (a number is infinite or NaN) and KSTRIP_ERROR_OVERFLOW (a result, such as a derivative, is too large).
+ *   The statuses of a structure are those that its comment, those of its members and those of its inner structures name.
+ * - An implausible input alone is a warning. If it leads to an error, the error names the likely cause.
+ * - If several warnings apply, the most serious is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
  *   CREEPAGE_AT_LEAST, then implausible inputs (such as PRESSURE, RADIUS, YOUNG), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
  * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
- * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) gives zero forces and
+ * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) has zero forces and
  *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
  *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
@@ -231,7 +233,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_NOT_FINITE -2
 /** Error: a semi-axis is not positive. */
 #define KSTRIP_ERROR_SEMI_AXIS -3
-/** Error: the normal force of a profile or of a contact of a wheel is negative. */
+/** Error: the normal force of two profiles or of a contact of a wheel is negative. */
 #define KSTRIP_ERROR_NORMAL_FORCE -4
 /** Error: a modulus of elasticity is not positive. */
 #define KSTRIP_ERROR_MODULUS -5
@@ -314,9 +316,9 @@ typedef int32_t kstrip_status;
 /** Error: there are more strips than a patch can hold, or more contacts than a wheel may have. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
 /**
- * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4),
- * two of its points coincide, or numbers that must ascend do not: its y, the lengths of a gap, or
- * the places of friction.
+ * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4) or
+ * a negative step, or numbers that must ascend do not: its y, the lengths of a gap, the places of
+ * friction, or shifts.
  */
 #define KSTRIP_ERROR_PROFILE -44
 /** Error: a profile ends where the bodies would touch, or the wheel is beside the rail. */
@@ -398,9 +400,9 @@ const char *kstrip_status_string(kstrip_status status);
 
 /** An isotropic elastic body. */
 typedef struct kstrip_material {
-    /** Shear modulus G [Pa], > 0. Steel: 82e9. */
+    /** Shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS. Steel: 82e9. */
     double shear_modulus;
-    /** Poisson's ratio [-], 0 to 0.5. Steel: 0.28. */
+    /** Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. Steel: 0.28. */
     double poisson_ratio;
 } kstrip_material;
 
@@ -424,8 +426,7 @@ typedef struct kstrip_combined_material {
  * @param lower, upper    the two bodies.
  * @param[out] combined   receives the constants that kstrip_contact_from_hertz() and
  *                        kstrip_contact take.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; statuses of kstrip_material.
  */
 kstrip_status kstrip_material_combine(const struct kstrip_material *lower,
                                       const struct kstrip_material *upper,
@@ -433,7 +434,9 @@ kstrip_status kstrip_material_combine(const struct kstrip_material *lower,
 
 /**
  * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite
- * (INFINITY), concave negative. Zero and NaN are errors.
+ * (INFINITY), concave negative. KSTRIP_ERROR_CURVATURE if one is 0 or NaN, or if the curvatures of
+ * both bodies in one plane add up to 0 or less; KSTRIP_WARNING_RADIUS if they are those of radii
+ * above 5 m in both planes.
  */
 typedef struct kstrip_radii {
     /** Lower body in the plane of x and z (a straight rail: INFINITY). */
@@ -448,26 +451,29 @@ typedef struct kstrip_radii {
 
 /** A loaded elliptic contact with combined elastic constants and Coulomb friction. */
 typedef struct kstrip_contact {
-    /** Semi-axis a along the rolling direction x [m], > 0. */
+    /** Semi-axis a along the rolling direction x [m], > 0, else KSTRIP_ERROR_SEMI_AXIS. */
     double a;
-    /** Semi-axis b along y [m], > 0. */
+    /** Semi-axis b along y [m], likewise; KSTRIP_WARNING_SEMI_AXIS if one is above 1 m. */
     double b;
     /**
      * Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to
-     * be finite.
+     * be finite. KSTRIP_WARNING_PRESSURE if the peak pressure is above a tenth of shear_modulus.
      */
     double normal_force;
-    /** Combined shear modulus G [Pa] (2.6), > 0. */
+    /**
+     * Combined shear modulus G [Pa] (2.6), > 0, else KSTRIP_ERROR_MODULUS; above 150 GPa
+     * KSTRIP_WARNING_YOUNG, above 10 TPa KSTRIP_WARNING_MODULUS.
+     */
     double shear_modulus;
-    /** Combined Poisson's ratio nu [-], 0 to 0.5. */
+    /** Combined Poisson's ratio nu [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. */
     double poisson_ratio;
-    /** Coefficient of friction mu [-], >= 0. */
+    /** Friction mu [-], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION. */
     double friction;
     /**
      * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
      * like materials and positive where the lower body is the softer one; its sign changes where
      * the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
-     * that there is a force without creepage. The theory of 1967 neglects the mismatch.
+     * that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
      */
     double mismatch;
 } kstrip_contact;
@@ -493,20 +499,17 @@ typedef struct kstrip_hertz_contact {
 /**
  * The contact of two bodies that a load presses together (Hertz).
  *
- * Relative error below 1e-12 (5e-6 in single precision) for axis ratios down to 1e-4; a handful of
- * iterations, at most 12.
- *
  * @param radii           curvatures of both bodies.
  * @param pair            combined constants.
  * @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
  * @param friction        coefficient of friction [-], >= 0.
  * @param[out] contact    receives the contact.
  * @param[out] ellipse    receives pressure, approach and shape; NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
- *         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
- *         KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; statuses of kstrip_radii; KSTRIP_ERROR_MODULUS and
+ *         KSTRIP_ERROR_POISSON_RATIO (pair is outside the ranges of kstrip_material);
+ *         KSTRIP_ERROR_FRICTION (friction < 0); warnings of kstrip_contact (about the contact that
+ *         is found); KSTRIP_WARNING_CONFORMAL (a semi-axis is above 0.3 of the smaller radius in
+ *         its direction).
  */
 kstrip_status kstrip_contact_from_hertz(const struct kstrip_radii *radii,
                                         const struct kstrip_combined_material *pair,
@@ -545,8 +548,9 @@ kstrip_status kstrip_contact_from_approach(const struct kstrip_radii *radii,
  * @param axis_ratio      a/b [-], > 0; a along the rolling direction.
  * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
  * @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS
- *         (axis_ratio), KSTRIP_ERROR_POISSON_RATIO.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL (coefficients), KSTRIP_ERROR_NOT_FINITE (an argument is
+ *         infinite or NaN), KSTRIP_ERROR_SEMI_AXIS (axis_ratio <= 0), KSTRIP_ERROR_POISSON_RATIO
+ *         (outside 0 to 0.5).
  */
 kstrip_status kstrip_linear_coefficients(double axis_ratio,
                                          double poisson_ratio,
@@ -569,7 +573,11 @@ typedef struct kstrip_velocity {
     double angular_z;
 } kstrip_velocity;
 
-/** Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). */
+/**
+ * Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
+ * KSTRIP_WARNING_CREEPAGE if longitudinal or lateral is above 10 in size; KSTRIP_WARNING_SPIN_UNIT
+ * if the spin is larger than bodies that roll on such a contact can have.
+ */
 typedef struct kstrip_creepage {
     /** Longitudinal creepage [-], positive when the upper body slides in the rolling direction. */
     double longitudinal;
@@ -588,8 +596,7 @@ typedef struct kstrip_creepage {
  * @param lower, upper    surface velocities at the centre of the contact, in one frame.
  * @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
  * @param[out] creepage   receives the creepages.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_ROLLING_SPEED,
- *         KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; KSTRIP_ERROR_ROLLING_SPEED (rolling_speed <= 0).
  */
 kstrip_status kstrip_creepage_from_velocities(const struct kstrip_velocity *lower,
                                               const struct kstrip_velocity *upper,
@@ -613,7 +620,7 @@ typedef struct kstrip_parameters {
  * @param contact         ellipse, load, material, friction.
  * @param creepage        its motion.
  * @param[out] parameters  receives xi, eta and psi [-].
- * @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
+ * @return usual statuses; errors of kstrip_contact.
  */
 kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *contact,
                                               const struct kstrip_creepage *creepage,
@@ -626,8 +633,7 @@ kstrip_status kstrip_parameters_from_creepage(const struct kstrip_contact *conta
  * @param contact         ellipse, load, material, friction.
  * @param parameters      xi, eta and psi [-].
  * @param[out] creepage   receives the creepage.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
- *         errors of kstrip_solve() for the same contact.
+ * @return usual statuses; errors of kstrip_contact.
  */
 kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *contact,
                                               const struct kstrip_parameters *parameters,
@@ -687,13 +693,21 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
  */
 #define KSTRIP_STATE_SLIP_NEGATIVE_DISSIPATION 3
 
-/** The model and the number of strips. All zero is the default. */
+/**
+ * The model and the number of strips. All zero is the default. Outside the range of the model:
+ * KSTRIP_WARNING_SPIN (1967, |psi| of 1 or more), KSTRIP_WARNING_RANGE (STRIP, |psi| above 3),
+ * KSTRIP_WARNING_AXIS_RATIO (STRIP, TOTAL: a/b beyond 0.015 to 60), KSTRIP_WARNING_BEYOND_FRICTION
+ * (LINEAR, more than mu N), KSTRIP_WARNING_MISMATCH_NEGLECTED (1967, a mismatch that is not 0).
+ */
 typedef struct kstrip_options {
-    /** One of the KSTRIP_MODEL constants. */
+    /**
+     * One of the KSTRIP_MODEL constants, else KSTRIP_ERROR_MODEL; KSTRIP_ERROR_MODEL_LEFT_OUT if
+     * this build of the library has no such model.
+     */
     int32_t model;
     /**
-     * Number of strips: 4, 8, 16, 32 or 64; 0 means 16. Models without strips check it and ignore
-     * it otherwise.
+     * Number of strips: 4, 8, 16, 32 or 64; 0 means 16; else KSTRIP_ERROR_STRIP_COUNT. Models
+     * without strips check it and ignore it otherwise.
      */
     int32_t strips;
 } kstrip_options;
@@ -735,13 +749,7 @@ typedef struct kstrip_result {
  * @param creepage        motion.
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO,
- *         KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_MISMATCH_NEGLECTED,
- *         KSTRIP_WARNING_BEYOND_FRICTION, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE,
- *         KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
- *         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
- *         KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; statuses of kstrip_contact, kstrip_creepage and kstrip_options.
  */
 kstrip_status kstrip_solve(const struct kstrip_contact *contact,
                            const struct kstrip_creepage *creepage,
@@ -755,36 +763,36 @@ kstrip_status kstrip_solve(const struct kstrip_contact *contact,
  * and layer is an elastic layer that is known.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
- * wet 0.3, 0.4, 0.2 s/m.
+ * wet 0.3, 0.4, 0.2 s/m. KSTRIP_ERROR_MODEL_LEFT_OUT if this build of the library has no laws.
  */
 typedef struct kstrip_friction {
-    /** Coefficient of friction without slip [-], >= 0. */
+    /** Coefficient of friction without slip [-], >= 0, else KSTRIP_ERROR_FRICTION. */
     double friction;
     /**
-     * Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1:
-     * friction is constant.
+     * Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1,
+     * else KSTRIP_ERROR_FRICTION_RATIO; 1: friction is constant.
      */
     double ratio;
-    /** How fast friction falls [s/m], >= 0; 0: friction is constant. */
+    /** How fast friction falls [s/m], >= 0, else KSTRIP_ERROR_FRICTION_DECAY; 0: it is constant. */
     double decay;
     /**
-     * Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is
-     * constant.
+     * Rolling speed [m/s], >= 0, else KSTRIP_ERROR_NEGATIVE_SPEED; the sliding velocity is slip
+     * times rolling speed. 0: friction is constant.
      */
     double rolling_speed;
     /**
-     * Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for
-     * 1, clean.
+     * Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1, else
+     * KSTRIP_ERROR_SLOPE_FACTOR; 0 stands for 1, clean.
      */
     double slope_factor;
     /**
-     * Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1; 0
-     * stands for 1: the whole curve is stretched alike.
+     * Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1, else
+     * KSTRIP_ERROR_SLIDE_FACTOR; 0 stands for 1: the whole curve is stretched alike.
      */
     double slide_factor;
     /**
      * Thickness of an elastic layer between the bodies divided by its shear modulus [m/Pa],
-     * >= 0; 0: none.
+     * >= 0, else KSTRIP_ERROR_LAYER; 0: none.
      */
     double layer;
 } kstrip_friction;
@@ -803,10 +811,7 @@ typedef struct kstrip_derivatives {
      * cube root [-, -, m].
      */
     double load_through_hertz[3];
-    /**
-     * With respect to the coefficient of friction, that of the law where there is one
-     * [N, N, N m].
-     */
+    /** With respect to the coefficient of friction (of the law, if given) [N, N, N m]. */
     double friction[3];
 } kstrip_derivatives;
 
@@ -858,10 +863,7 @@ typedef struct kstrip_strip {
  * not computed and costs nothing.
  */
 typedef struct kstrip_outputs {
-    /**
-     * Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is
-     * constant.
-     */
+    /** Forces, moment, power, adhesion: those of kstrip_solve() if friction is constant. */
     struct kstrip_result *result;
     /**
      * Derivatives with respect to creepages, load and friction. Under falling friction they
@@ -876,10 +878,7 @@ typedef struct kstrip_outputs {
      * friction is constant.
      */
     double *friction;
-    /**
-     * The forces of each strip; capacity elements. Their shares add up to the result of the same
-     * model.
-     */
+    /** The forces of each strip (capacity elements); they add up to the result of the model. */
     struct kstrip_strip *strips;
     /** Number of strips that were written; required with strips. */
     uint32_t *count;
@@ -896,23 +895,19 @@ typedef struct kstrip_outputs {
  * Computes, for a contact in motion, every output that is not NULL.
  *
  * If friction is given, the coefficient of friction falls with the slip and agrees with it; the
- * contact's own coefficient is ignored. All derivatives include that dependence. Where more than
- * one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
- * has the largest. The two models of 1967 are an exception under steeply falling friction: their
- * forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
- * thousand such cases another friction, perhaps a larger one, is not found. With
- * KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+ * contact's own coefficient is ignored. All derivatives include that dependence. If more than one
+ * coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss it
+ * under steeply falling friction, because their forces jump, or nearly jump, where a first strip
+ * begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
- * @param contact         ellipse, load, material, friction.
- * @param creepage        motion.
+ * @param contact, creepage, options  as in kstrip_solve().
  * @param friction        falling friction; NULL: constant.
- * @param options         model and strip count; NULL for the defaults.
  * @param outputs         where the outputs go.
- * @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
- *         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
- *         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR,
- *         KSTRIP_ERROR_SLIDE_FACTOR, KSTRIP_ERROR_LAYER;
- *         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+ * @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_SEVERAL_FRICTIONS (more
+ *         than one coefficient agrees with its slip); KSTRIP_WARNING_NOT_CONVERGED (the search for
+ *         the coefficient ended early); KSTRIP_ERROR_CAPACITY (outputs->capacity is below the
+ *         strip count); KSTRIP_ERROR_NOT_IN_MODEL (strips of KSTRIP_MODEL_TOTAL or
+ *         KSTRIP_MODEL_LINEAR).
  */
 kstrip_status kstrip_evaluate(const struct kstrip_contact *contact,
                               const struct kstrip_creepage *creepage,
@@ -1028,14 +1023,12 @@ typedef struct kstrip_batch_outputs {
 /**
  * kstrip_evaluate() for many contacts: the same results, bit for bit.
  *
- * Where the processor has AVX several contacts are solved in parallel. All inputs are checked
- * before anything is written: if one is bad its status is returned, no output is touched, and
- * first_bad receives its index. A lost contact is not bad: its results are zero.
+ * On processors with AVX several contacts are solved in parallel. All inputs are checked before
+ * anything is written: if one is bad its status is returned, no output is touched, and first_bad
+ * receives its index. A lost contact is not bad: its results are zero.
  *
  * With more than one contact an output's stride is at least the size of the output, forward or
- * backward, and every stride is a multiple of the alignment of its type: anything else is
- * KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is not checked: misaligned ones
- * are undefined behaviour, as in C.
+ * backward, and every stride is a multiple of the alignment of its type.
  *
  * @param inputs          contacts, creepages, falling friction.
  * @param count           how many; 0 is allowed.
@@ -1043,8 +1036,9 @@ typedef struct kstrip_batch_outputs {
  * @param outputs         where the outputs go; they must not overlap the inputs or each other.
  * @param[out] first_bad  receives the index of the first bad contact, or count where none is bad;
  *                        NULL: not needed.
- * @return KSTRIP_OK, the most serious warning, or the first error, as kstrip_evaluate();
- *         KSTRIP_ERROR_STRIDE.
+ * @return as kstrip_evaluate(): the error of the first bad contact, or the most serious warning;
+ *         KSTRIP_ERROR_STRIDE (a stride is no multiple of the alignment, or that of an output is
+ *         smaller than the output).
  */
 kstrip_status kstrip_evaluate_batch(const struct kstrip_batch_inputs *inputs,
                                     uint32_t count,
@@ -1071,13 +1065,10 @@ typedef struct kstrip_prepared {
  * Computes what depends on the contact and the options only, for kstrip_solve_prepared().
  *
  * Use this for rigs whose contact is constant, and for iterations on the creepage.
- * kstrip_solve_prepared() refuses a structure that was never prepared, or was prepared in the
- * other precision.
  *
- * @param contact         ellipse, load, material, friction.
- * @param options         model and strip count; NULL for the defaults.
+ * @param contact, options  as in kstrip_solve().
  * @param[out] prepared   receives the prepared contact.
- * @return as kstrip_solve().
+ * @return usual statuses; errors of kstrip_contact and kstrip_options.
  */
 kstrip_status kstrip_prepare(const struct kstrip_contact *contact,
                              const struct kstrip_options *options,
@@ -1089,7 +1080,8 @@ kstrip_status kstrip_prepare(const struct kstrip_contact *contact,
  * @param prepared        by kstrip_prepare().
  * @param creepage        motion.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
+ * @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED (prepared is not from kstrip_prepare() of
+ *         this precision).
  */
 kstrip_status kstrip_solve_prepared(const struct kstrip_prepared *prepared,
                                     const struct kstrip_creepage *creepage,
@@ -1109,8 +1101,8 @@ typedef struct kstrip_motion {
     /** Rolling speed [m/s]: positive along x, negative backward, zero at standstill. */
     double rolling_speed;
     /**
-     * Floor of the speed [m/s], >= 0: creepages are slip divided by sqrt(rolling_speed^2 +
-     * floor_speed^2). 0 stands for 0.02.
+     * Floor of the speed [m/s], >= 0, else KSTRIP_ERROR_FLOOR_SPEED; 0 stands for 0.02.
+     * Creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2).
      */
     double floor_speed;
 } kstrip_motion;
@@ -1125,10 +1117,7 @@ typedef struct kstrip_motion_derivatives {
     double normal_force[3];
     /** With respect to the normal force while a and b follow it as Hertz says [-, -, m]. */
     double load_through_hertz[3];
-    /**
-     * With respect to the coefficient of friction, that of the law where there is one
-     * [N, N, N m].
-     */
+    /** With respect to the coefficient of friction (of the law, if given) [N, N, N m]. */
     double friction[3];
     /** With respect to the ratio of the law; 0 without one [N, N, N m]. */
     double ratio[3];
@@ -1136,10 +1125,7 @@ typedef struct kstrip_motion_derivatives {
     double decay[3];
     /** With respect to the slope factor of the law, at 1 without one [N, N, N m]. */
     double slope_factor[3];
-    /**
-     * With respect to the slide factor of the law; 0 where it is 0 in a law without a layer
-     * [N, N, N m].
-     */
+    /** With respect to the slide factor; 0 if it is 0 in a law without a layer [N, N, N m]. */
     double slide_factor[3];
     /** With respect to the layer of the law; 0 where there is none [N, N, N m per m/Pa]. */
     double layer[3];
@@ -1170,13 +1156,14 @@ typedef struct kstrip_motion_outputs {
  * results of both directions are blended, so that forces and derivatives are continuous. Friction
  * opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
  *
- * @param contact         ellipse, load, material, friction.
+ * @param contact, options  as in kstrip_solve().
  * @param motion          slip, spin rate, signed rolling speed.
- * @param friction        falling friction; NULL: constant. Its rolling_speed does
- *                        not count.
- * @param options         model and strip count; NULL for the defaults.
+ * @param friction        falling friction; NULL: constant. Its rolling_speed is ignored.
  * @param outputs         where the outputs go.
- * @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
+ * @return usual statuses; statuses of kstrip_contact, kstrip_motion, kstrip_friction and
+ *         kstrip_options; warnings of kstrip_creepage (above 1 m/s);
+ *         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+ *         kstrip_evaluate().
  */
 kstrip_status kstrip_solve_motion(const struct kstrip_contact *contact,
                                   const struct kstrip_motion *motion,
@@ -1189,7 +1176,8 @@ kstrip_status kstrip_solve_motion(const struct kstrip_contact *contact,
  *
  * @param contact, creepage  as in kstrip_solve().
  * @param[out] result     receives forces, moment and power on the lower body.
- * @return as kstrip_solve().
+ * @return usual statuses; statuses of kstrip_contact and kstrip_creepage;
+ *         KSTRIP_WARNING_AXIS_RATIO (a/b is outside 0.015 to 60).
  */
 kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
                                  const struct kstrip_creepage *creepage,
@@ -1201,7 +1189,8 @@ kstrip_status kstrip_solve_total(const struct kstrip_contact *contact,
  * @param contact, creepage  as in kstrip_solve().
  * @param strips          4, 8, 16, 32 or 64; 0: 16.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return as kstrip_solve().
+ * @return as kstrip_solve_total(); KSTRIP_WARNING_RANGE (|psi| is above 3);
+ *         KSTRIP_ERROR_STRIP_COUNT (strips is another number).
  */
 kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
                                  const struct kstrip_creepage *creepage,
@@ -1215,7 +1204,9 @@ kstrip_status kstrip_solve_strip(const struct kstrip_contact *contact,
  * @param contact, creepage  as in kstrip_solve().
  * @param strips          4, 8, 16, 32 or 64; 0: 16.
  * @param[out] result     receives forces, moment, power and adhesion.
- * @return as kstrip_solve().
+ * @return usual statuses; statuses of kstrip_contact and kstrip_creepage; KSTRIP_WARNING_SPIN
+ *         (|psi| is 1 or more); KSTRIP_WARNING_MISMATCH_NEGLECTED (the mismatch is not 0);
+ *         KSTRIP_ERROR_STRIP_COUNT (strips is another number).
  */
 kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
                                       const struct kstrip_creepage *creepage,
@@ -1227,7 +1218,8 @@ kstrip_status kstrip_solve_strip_1967(const struct kstrip_contact *contact,
  *
  * @param contact, creepage  as in kstrip_solve().
  * @param[out] result     receives forces, moment and power on the lower body.
- * @return as kstrip_solve().
+ * @return usual statuses; statuses of kstrip_contact and kstrip_creepage;
+ *         KSTRIP_WARNING_BEYOND_FRICTION (the force exceeds mu N).
  */
 kstrip_status kstrip_solve_linear(const struct kstrip_contact *contact,
                                   const struct kstrip_creepage *creepage,
@@ -1261,16 +1253,10 @@ typedef struct kstrip_point {
 } kstrip_point;
 
 /**
- * Pressure, traction, slip and state over a grid; one point is a grid of one.
+ * Pressure, traction, slip and state over a grid; one point is a grid of one. Integrals of
+ * traction and dissipation are near the forces and the power of kstrip_evaluate().
  *
- * With KSTRIP_MODEL_STRIP the tractions add up to the forces of kstrip_evaluate() within 0.1 of
- * friction times load, and the dissipation to its power within 0.02 in the mean and 0.4 at most of
- * friction times load times rigid slip, under a law and without; with the models of 1967 within
- * 0.01, and 0.002 and 0.05.
- *
- * @param contact         ellipse, load, material, friction.
- * @param creepage        motion.
- * @param friction        falling friction, layer; NULL: constant, none.
+ * @param contact, creepage, friction  as in kstrip_evaluate().
  * @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
  * @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
  *                        allowed.
@@ -1278,7 +1264,8 @@ typedef struct kstrip_point {
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
  * @param capacity        size of points, at least rows * columns.
- * @return as kstrip_evaluate(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
+ * @return as kstrip_evaluate(); KSTRIP_ERROR_CAPACITY (capacity is below rows * columns);
+ *         KSTRIP_ERROR_NOT_IN_MODEL (KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR have no field).
  */
 kstrip_status kstrip_field(const struct kstrip_contact *contact,
                            const struct kstrip_creepage *creepage,
@@ -1306,7 +1293,7 @@ kstrip_status kstrip_field(const struct kstrip_contact *contact,
  * The points are smoothed over the length that kstrip_profile_contact gives.
  */
 typedef struct kstrip_profile {
-    /** Places y [m], ascending. */
+    /** Places y [m], ascending, else KSTRIP_ERROR_PROFILE. */
     const double *y;
     /**
      * Distance of the bodies there [m], the least along x. A constant added to all distances
@@ -1319,11 +1306,11 @@ typedef struct kstrip_profile {
      */
     const double *centre_x;
     /**
-     * Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's
-     * own.
+     * Rolling radius [m] of each point, > 0, else KSTRIP_ERROR_ROLLING_RADIUS; it replaces that of
+     * the contact. NULL: the contact's own.
      */
     const double *rolling_radius;
-    /** Number of points, at least 2. */
+    /** Number of points, at least 2, else KSTRIP_ERROR_PROFILE. */
     uint32_t points;
     /** Reserved: zero. */
     uint32_t reserved;
@@ -1335,27 +1322,30 @@ typedef struct kstrip_profile {
  */
 typedef struct kstrip_profile_contact {
     /**
-     * Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored
-     * where the profile has its own radii.
+     * Rolling radius [m], > 0, else KSTRIP_ERROR_ROLLING_RADIUS; of two rolling bodies 1/R =
+     * 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii.
      */
     double rolling_radius;
-    /** Normal force N [N], >= 0; 0: approach decides. */
+    /** Normal force N [N], >= 0, else KSTRIP_ERROR_NORMAL_FORCE; 0: approach decides. */
     double normal_force;
     /** Approach of distant points of the bodies [m], >= 0; only where normal_force is 0. */
     double approach;
     /**
-     * Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the
-     * contact, at most 2 mm. The length is always at least 2.5 steps of the profile. For rough
-     * profiles set it to 4 mm.
+     * Length over which the profile is smoothed [m], >= 0, else KSTRIP_ERROR_SMOOTHING_LENGTH. 0
+     * stands for half the width of the contact, at most 2 mm. The length is always at least 2.5
+     * steps of the profile. For rough profiles set it to 4 mm.
      */
     double smoothing_length;
-    /** Combined shear modulus G [Pa], > 0. */
+    /** Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS. */
     double shear_modulus;
-    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    /** Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. */
     double poisson_ratio;
-    /** Coefficient of friction of every strip [-], >= 0. */
+    /** Coefficient of friction of every strip [-], >= 0, else KSTRIP_ERROR_FRICTION. */
     double friction;
-    /** About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16. */
+    /**
+     * About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16;
+     * else KSTRIP_ERROR_STRIP_COUNT.
+     */
     int32_t strips;
     /** Reserved: zero. */
     int32_t reserved;
@@ -1368,15 +1358,15 @@ typedef struct kstrip_profile_contact {
 typedef struct kstrip_patch_strip {
     /** Centre line y [m]. */
     double y;
-    /** Width [m], > 0. */
+    /** Width [m], > 0, else KSTRIP_ERROR_STRIP_SIZE. */
     double width;
-    /** Half length along x [m], > 0. */
+    /** Half length along x [m], > 0, else KSTRIP_ERROR_STRIP_SIZE. */
     double half_length;
     /** Centre along x [m]; 0 for most contacts. */
     double centre_x;
-    /** Pressure at the centre [Pa], >= 0. */
+    /** Pressure at the centre [Pa], >= 0, else KSTRIP_ERROR_PRESSURE. */
     double peak_pressure;
-    /** Coefficient of friction [-], >= 0; every strip may have its own. */
+    /** Coefficient of friction [-] of this strip, >= 0, else KSTRIP_ERROR_FRICTION. */
     double friction;
 } kstrip_patch_strip;
 
@@ -1386,31 +1376,34 @@ typedef struct kstrip_patch_strip {
  * functions check it again. A patch whose members are all zero, except shear_modulus, carries no
  * load.
  *
- * Where the distance of two neighbours is more than one and a half times that at which they touch,
- * there is a gap: the strips on either side are a lobe of their own.
+ * If the distance of two neighbours is more than one and a half times the distance at which they
+ * touch, there is a gap, and the strips on either side are separate contact regions (lobes).
  */
 typedef struct kstrip_patch {
-    /** The strips; the first count are used. */
+    /**
+     * The strips; the first count are used. KSTRIP_ERROR_STRIP_ORDER if their y do not ascend, or
+     * if they overlap by more than half of the distance at which they touch.
+     */
     struct kstrip_patch_strip strips[KSTRIP_PATCH_CAPACITY];
-    /** Combined shear modulus G [Pa], > 0. */
+    /** Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS. */
     double shear_modulus;
-    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    /** Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. */
     double poisson_ratio;
     /**
-     * Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the
-     * strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+     * Factor [-], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the
+     * patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0
+     * stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
      */
     double area_scale;
     /** The same for the moment of the area about x, the sum of y^2 times area. */
     double lever_scale;
-    /** Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load. */
+    /** Number of strips, 0 to KSTRIP_PATCH_CAPACITY, else KSTRIP_ERROR_PATCH_SIZE. None: no load. */
     uint32_t count;
     /** Reserved: zero. */
     uint32_t reserved;
     /**
-     * Mismatch kappa [-] of the two materials, as in kstrip_contact. Only
-     * kstrip_patch_from_contact() sets it; the other functions leave it 0, and the caller may set
-     * it.
+     * Mismatch kappa [-] of the two materials, as in kstrip_contact: KSTRIP_WARNING_MISMATCH if
+     * its size is above 0.25. Only kstrip_patch_from_contact() sets it; the caller may set it.
      */
     double mismatch;
 } kstrip_patch;
@@ -1447,7 +1440,7 @@ typedef struct kstrip_profile_result {
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Zones of contact become lobes, which begin with zero width, grow and merge. The results are
+ * Contact regions begin with zero width, grow and merge. The results are
  * continuous in distances and approach, and in the load unless it falls with the approach (rough
  * profiles). The stiffness is the derivative of the computed load. The approach counts from the
  * lowest point of the smoothed profile: it has a kink where another point becomes the lowest.
@@ -1456,11 +1449,9 @@ typedef struct kstrip_profile_result {
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
  * @param[out] patch      receives the patch.
  * @param[out] result     receives approach, peak pressure and load; NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
- *         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS,
- *         KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO,
- *         KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT,
- *         KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; statuses of kstrip_profile and kstrip_profile_contact;
+ *         KSTRIP_WARNING_PROFILE_END (a contact region ends with the profile);
+ *         KSTRIP_WARNING_ROUGH (a contact has more local minima than its strips resolve).
  */
 kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
                                         const struct kstrip_profile_contact *contact,
@@ -1478,10 +1469,10 @@ kstrip_status kstrip_patch_from_profile(const struct kstrip_profile *profile,
  * @param shear_modulus   combined shear modulus G [Pa], > 0.
  * @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
  * @param[out] patch      receives the patch.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
- *         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_OVERFLOW,
- *         KSTRIP_ERROR_STRIP_SIZE, KSTRIP_ERROR_PRESSURE, KSTRIP_ERROR_STRIP_ORDER (overlap),
- *         KSTRIP_ERROR_PATCH_SIZE.
+ * @return usual statuses; statuses of kstrip_patch_strip; KSTRIP_ERROR_MODULUS (shear_modulus <=
+ *         0); KSTRIP_ERROR_POISSON_RATIO (outside 0 to 0.5); KSTRIP_ERROR_STRIP_ORDER (strips
+ *         overlap by more than that); KSTRIP_ERROR_PATCH_SIZE (count is above
+ *         KSTRIP_PATCH_CAPACITY).
  */
 kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
                                        uint32_t count,
@@ -1493,15 +1484,15 @@ kstrip_status kstrip_patch_from_strips(const struct kstrip_patch_strip *strips,
  * The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
  * strips.
  *
- * kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
- * model and the same strip count: with eight strips or more to rounding, with four to 1 %. The
- * models of 1967 differ by a part of the force of one strip.
+ * With KSTRIP_MODEL_STRIP and eight strips or more kstrip_patch_evaluate() has the result of
+ * kstrip_solve() to rounding. For the models of 1967 the difference is less than the force of one
+ * strip.
  *
  * @param contact         the loaded contact.
  * @param options         strip count; its model is checked and otherwise ignored. NULL for the
  *                        defaults.
  * @param[out] patch      receives the patch.
- * @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
+ * @return usual statuses; errors of kstrip_contact and kstrip_options.
  */
 kstrip_status kstrip_patch_from_contact(const struct kstrip_contact *contact,
                                         const struct kstrip_options *options,
@@ -1515,19 +1506,18 @@ typedef struct kstrip_patch_summary {
     double friction_bound;
     /** Contact area [m^2]. */
     double area;
-    /** Number of lobes. */
+    /** Number of contact regions. */
     uint32_t lobes;
     /** Reserved: zero. */
     uint32_t reserved;
 } kstrip_patch_summary;
 
 /**
- * Load, friction bound, area and lobes of a patch; checks it without solving.
+ * Load, friction bound, area and contact regions of a patch; checks it without solving.
  *
  * @param patch           the patch.
  * @param[out] summary    receives the sums.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL or one of the errors of kstrip_patch_from_strips(), here
- *         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
+ * @return usual statuses; statuses of kstrip_patch.
  */
 kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
                                      struct kstrip_patch_summary *summary);
@@ -1537,21 +1527,20 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  *
  * The creepage is that at the origin of the patch's coordinates, x = y = 0; the creepages of a
  * strip are (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin.
- * |F| is at most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse
- * replaces the zone of a strip: the strips that no gap and no neck divides from it, with their
- * load and their mean lengths, pressures and friction. A strip is as flexible as one of the
- * ellipse, or more if it is long for its pressure. KSTRIP_MODEL_TOTAL takes the forces of these
- * ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
+ * |F| is at most the sum of friction times load over the strips. With KSTRIP_MODEL_STRIP the
+ * flexibilities of a strip are those of an equivalent ellipse, fitted to the contact region that
+ * contains the strip, or larger if the strip is long for its pressure. KSTRIP_MODEL_TOTAL adds the
+ * forces of these ellipses. It is cheap and smooth, and has no strips and no share in adhesion.
  *
- * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
- * jump, as long as all strips have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967
- * jumps, by up to the force of one strip, where a strip with spin stops adhering, and that of
+ * The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL are continuous in the widths and places
+ * of strips that have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967 jumps by up to
+ * the force of one strip if a strip with spin stops adhering; that of
  * KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
  *
  * For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
- * lengths grow with the load's cube root as well. For those with respect to friction, that of all
- * strips grows by one factor, and the derivative is by its mean. If friction is given, the factor
- * (1 - ratio) exp(-decay w) + ratio multiplies that of all strips, and the law's own coefficient
+ * lengths grow with the load's cube root as well. The derivatives with respect to friction are
+ * those with respect to the mean coefficient. If friction is given, the factor (1 - ratio)
+ * exp(-decay w) + ratio multiplies the coefficients of all strips, and the law's own coefficient
  * is ignored. outputs->strips receives patch->count strips.
  *
  * @param patch           the patch.
@@ -1561,10 +1550,11 @@ kstrip_status kstrip_patch_summarize(const struct kstrip_patch *patch,
  *                        models of 1967; NULL for the default. The strip count is checked and
  *                        otherwise ignored.
  * @param outputs         where the outputs go.
- * @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a zone's ellipse);
+ * @return usual statuses; statuses of kstrip_patch, kstrip_friction and kstrip_options;
+ *         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+ *         kstrip_evaluate(); KSTRIP_ERROR_CAPACITY (outputs->capacity is below patch->count);
  *         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its
- *         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the
- *         errors of kstrip_patch_summarize().
+ *         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL.
  */
 kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_creepage *creepage,
@@ -1594,9 +1584,7 @@ kstrip_status kstrip_patch_evaluate_strips(const struct kstrip_patch *patch,
  * The tractions add up to the forces of kstrip_patch_evaluate(), and the dissipation to its power,
  * as those of kstrip_field() do.
  *
- * @param patch           the patch.
- * @param creepage        motion at the origin.
- * @param friction        as in kstrip_patch_evaluate(); NULL: constant, no layer.
+ * @param patch, creepage, friction  as in kstrip_patch_evaluate().
  * @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the
  *                        default.
  * @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
@@ -1604,7 +1592,8 @@ kstrip_status kstrip_patch_evaluate_strips(const struct kstrip_patch *patch,
  * @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
  *                        points[j * columns + i].
  * @param capacity        size of points, at least rows * columns.
- * @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
+ * @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY (capacity is below rows * columns);
+ *         KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
  */
 kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
                                  const struct kstrip_creepage *creepage,
@@ -1712,10 +1701,15 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
  * @param[out] count      receives the number of points.
  * @param[out] notes      receives findings and changes, a sum of KSTRIP_NOTE_; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_LINE,
- *         KSTRIP_ERROR_FILE_COLUMNS, KSTRIP_ERROR_FILE_COUNT, KSTRIP_ERROR_FILE_UNITS,
- *         KSTRIP_ERROR_FILE_MISSING, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
- *         four points), KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_SCATTER (a closed outline).
+ *         KSTRIP_ERROR_NULL (text, y, z or count); KSTRIP_ERROR_FILE_FORMAT (format is no sum of
+ *         these constants); KSTRIP_ERROR_FILE_LINE (a line is no point, keyword or title of the
+ *         format); KSTRIP_ERROR_FILE_COLUMNS (more than two columns, and no names);
+ *         KSTRIP_ERROR_FILE_COUNT (fewer points than the header promises); KSTRIP_ERROR_FILE_UNITS
+ *         (a unit is not positive, or the numbers are too large for millimetres);
+ *         KSTRIP_ERROR_FILE_MISSING (a number is far from all others); KSTRIP_ERROR_NOT_FINITE (a
+ *         number is infinite, NaN or immense); KSTRIP_ERROR_PROFILE (fewer than four points);
+ *         KSTRIP_ERROR_CAPACITY (more points than capacity); KSTRIP_ERROR_SCATTER (the points are
+ *         a closed outline).
  */
 kstrip_status kstrip_read_profile(const char *text,
                                   uint32_t length,
@@ -1738,9 +1732,11 @@ kstrip_status kstrip_read_profile(const char *text,
  * @param[out] turned_y, turned_z  receive the points [m]; not y and z themselves.
  * @param[out] taken_unit, notes  receive the unit, and a sum of KSTRIP_NOTE_; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY (2^32 points or more), KSTRIP_ERROR_PROFILE
- *         (no profile, or fewer than four points), KSTRIP_ERROR_NOT_FINITE,
- *         KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_UNITS.
+ *         KSTRIP_ERROR_NULL (a required array); KSTRIP_ERROR_CAPACITY (2^32 points or more);
+ *         KSTRIP_ERROR_PROFILE (no profile, or fewer than four points in one);
+ *         KSTRIP_ERROR_NOT_FINITE (a number is infinite, NaN or immense); KSTRIP_ERROR_FILE_FORMAT
+ *         (format is no sum of the constants); KSTRIP_ERROR_FILE_UNITS (unit < 0, or 0 and the
+ *         numbers are too large for millimetres).
  */
 kstrip_status kstrip_orient_profiles(const double *y,
                                      const double *z,
@@ -1799,20 +1795,17 @@ typedef struct kstrip_surface {
  * @param step            length between prepared points [m]; 0: the length of the profile divided
  *                        by the capacity less one.
  * @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
- *                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm
- *                        for measured profiles; below two distances it has no effect. 0: a profile
- *                        of 320 points or more goes through all of them. One of fewer than 234 is
- *                        smoothed over six of their distances where they are rough: on average
- *                        they lie 0.2 % of their distance or more beside the line that is smoothed
- *                        over four. It goes through all of them where this is less than 0.06 %, as
- *                        in drawings. Between these numbers it is smoothed over less.
+ *                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm for
+ *                        measured profiles; below two spacings it has no effect. 0: a profile of
+ *                        many points, or of smooth ones as in drawings, goes through all of them,
+ *                        and one of fewer, rough points is smoothed over at most six spacings.
  * @param[out] surface    receives the profile.
- * @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
- *         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,
- *         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than four points, a negative step),
- *         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many points),
- *         KSTRIP_ERROR_OVERFLOW (the profile is smaller than 1 um, or a coordinate is larger than
- *         1 km), KSTRIP_ERROR_SCATTER (no line follows the points).
+ * @return usual statuses, KSTRIP_ERROR_OVERFLOW if the profile is smaller than 1 um or a
+ *         coordinate is above 1 km; KSTRIP_WARNING_ORIENTATION (the shape stands upside down or
+ *         the wrong way round); KSTRIP_WARNING_PROFILE_SIZE (longer than 1 m);
+ *         KSTRIP_ERROR_PROFILE (fewer than four points, or step < 0);
+ *         KSTRIP_ERROR_SMOOTHING_LENGTH (smoothing_length < 0); KSTRIP_ERROR_CAPACITY (the step
+ *         needs too many points); KSTRIP_ERROR_SCATTER (no line follows the points).
  */
 kstrip_status kstrip_prepare_profile(const double *y,
                                      const double *z,
@@ -1835,9 +1828,8 @@ kstrip_status kstrip_prepare_profile(const double *y,
  * @param first, second   prepared profiles of the slices before and after the place.
  * @param share           0 at the place of the first to 1 at that of the second.
  * @param[out] between    receives the profile; it may be one of the slices.
- * @return KSTRIP_OK or a warning of kstrip_prepare_profile(); KSTRIP_ERROR_NULL,
- *         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_SLICE_SHARE, or an
- *         error of kstrip_prepare_profile().
+ * @return as kstrip_prepare_profile() for the points between the slices; KSTRIP_ERROR_NOT_PREPARED
+ *         (first or second); KSTRIP_ERROR_SLICE_SHARE (share is outside 0 to 1).
  */
 kstrip_status kstrip_profile_between(const struct kstrip_surface *first,
                                      const struct kstrip_surface *second,
@@ -1856,11 +1848,14 @@ typedef struct kstrip_wheel_position {
     double lateral;
     /** Zero when the centre is one wheel radius above the rail's origin; positive downward [m]. */
     double vertical;
-    /** Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1. */
+    /**
+     * Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1,
+     * else KSTRIP_ERROR_ANGLE.
+     */
     double yaw;
     /**
-     * Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that
-     * roll has turned.
+     * Turn about x [rad]: positive from y to z, between -1 and 1, else KSTRIP_ERROR_ANGLE. Yaw
+     * turns about the axis that roll has turned.
      */
     double roll;
 } kstrip_wheel_position;
@@ -1871,14 +1866,11 @@ typedef struct kstrip_wheel_position {
  */
 typedef struct kstrip_gap {
     /**
-     * Length on the rail's surface from any origin [m], ascending. A host that works in a plane
-     * passes its coordinate in this plane.
+     * Length on the rail's surface from any origin [m], ascending, else KSTRIP_ERROR_PROFILE. A
+     * host that works in a plane passes its coordinate in this plane.
      */
     double along[KSTRIP_SURFACE_CAPACITY];
-    /**
-     * Distance of the undeformed surfaces along the rail's normal [m]; negative where they would
-     * overlap.
-     */
+    /** Undeformed gap along the rail's normal [m]; negative where the surfaces overlap. */
     double distance[KSTRIP_SURFACE_CAPACITY];
     /**
      * x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track
@@ -1891,12 +1883,13 @@ typedef struct kstrip_gap {
     double z[KSTRIP_SURFACE_CAPACITY];
     /**
      * Angle of the tangent across x, mean of both surfaces [rad], positive from y to z; about
-     * -1.2 at the flange of a right wheel.
+     * -1.2 at the flange of a right wheel. Its size is below 2.3, else KSTRIP_ERROR_PROFILE.
      */
     double angle[KSTRIP_SURFACE_CAPACITY];
     /**
-     * Radius of curvature of the wheel along x [m]. Without yaw R0 = r/cos a: distance from the
-     * axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
+     * Radius of curvature of the wheel along x [m], > 0, else KSTRIP_ERROR_ROLLING_RADIUS. It is
+     * R0 = r/cos a without yaw: distance from the axle divided by the cosine of the angle between
+     * normal and radius. A wheel that yaws has
      * R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
      * dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a
      * roller the curvatures of both add up, and angle and distance are those in the plane through
@@ -1904,11 +1897,11 @@ typedef struct kstrip_gap {
      */
     double rolling_radius[KSTRIP_SURFACE_CAPACITY];
     /**
-     * Distance of the wheel's points [m], >= 0, over 2.5 of which surfaces are smoothed at
-     * least; 0: that of the gap's points where the surfaces are near.
+     * Point spacing of the wheel [m], >= 0, else KSTRIP_ERROR_SMOOTHING_LENGTH: the gap is
+     * smoothed over at least 2.5 of it. 0: the spacing of the gap's points near the contact.
      */
     double step;
-    /** Number of points. */
+    /** Number of points, at most KSTRIP_SURFACE_CAPACITY, else KSTRIP_ERROR_CAPACITY. */
     uint32_t count;
     /** Reserved: zero. */
     uint32_t reserved;
@@ -1929,9 +1922,13 @@ typedef struct kstrip_gap {
  * @param[out] gap        receives the points.
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
  *                        and reach where no point is nearer; NULL: not needed.
- * @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
- *         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail), or
- *         the error that names its likely cause, as in kstrip_wheel_on_rail().
+ * @return usual statuses; statuses of kstrip_wheel_position; KSTRIP_ERROR_NOT_PREPARED (rail or
+ *         wheel); KSTRIP_ERROR_ROLLING_RADIUS (wheel_radius <= 0); KSTRIP_ERROR_PROFILE_END (the
+ *         wheel is beside the rail) or its likely cause: KSTRIP_ERROR_ANGLE (yaw or roll is above
+ *         0.2 in size), KSTRIP_ERROR_LENGTH_UNIT (the wheel is 0.7 m beside the rail, or 5 m above
+ *         or below it; wheel_radius is above 5 m, or a profile is longer than 1 m),
+ *         KSTRIP_ERROR_SWAPPED (rail has a flange, and wheel the head of a rail),
+ *         KSTRIP_ERROR_ORIENTATION (a profile is not that of a rail or a wheel).
  */
 kstrip_status kstrip_touch(const struct kstrip_surface *rail,
                            const struct kstrip_surface *wheel,
@@ -1946,21 +1943,21 @@ kstrip_status kstrip_touch(const struct kstrip_surface *rail,
  * default of every member but wheel_radius and shear_modulus.
  */
 typedef struct kstrip_wheel_pair {
-    /** Radius of the wheel at z = 0 of its profile [m], > 0. */
+    /** Radius of the wheel at z = 0 of its profile [m], > 0, else KSTRIP_ERROR_ROLLING_RADIUS. */
     double wheel_radius;
-    /** Combined shear modulus G [Pa], > 0. */
+    /** Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS. */
     double shear_modulus;
-    /** Combined Poisson's ratio [-], 0 to 0.5. */
+    /** Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. */
     double poisson_ratio;
-    /** Coefficient of friction [-], >= 0; where friction_points is 0. */
+    /** Coefficient of friction [-], >= 0, else KSTRIP_ERROR_FRICTION; if friction_points is 0. */
     double friction;
-    /** Places on the rail, y of its profile [m], ascending. */
+    /** Places on the rail, y of its profile [m], ascending, else KSTRIP_ERROR_PROFILE. */
     double friction_y[KSTRIP_RAIL_FRICTION_CAPACITY];
-    /** Coefficient of friction at these places [-], >= 0; linear between them, constant beyond. */
+    /** Coefficients there [-], as friction; linear between the places, constant beyond. */
     double friction_at[KSTRIP_RAIL_FRICTION_CAPACITY];
     /**
-     * How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is
-     * the same everywhere.
+     * How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY, else
+     * KSTRIP_ERROR_CAPACITY; 0: friction is the same everywhere.
      */
     uint32_t friction_points;
     /**
@@ -1969,25 +1966,29 @@ typedef struct kstrip_wheel_pair {
      */
     int32_t left;
     /**
-     * Length over which the undeformed gap is smoothed [m], >= 0. It is always at least 2.5
-     * steps of the wheel's profile. For rough profiles set it to 2 mm.
+     * Length over which the undeformed gap is smoothed [m], >= 0, else
+     * KSTRIP_ERROR_SMOOTHING_LENGTH. It is always at least 2.5 steps of the wheel's profile. For
+     * rough profiles set it to 2 mm.
      */
     double smoothing_length;
-    /** About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16. */
+    /** Strips of a contact, about: 4, 8, 16, 32 or 64, else KSTRIP_ERROR_STRIP_COUNT; 0: 16. */
     int32_t strips;
     /** KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967. */
     int32_t model;
     /**
-     * Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by
-     * 1 + d times the velocity at which the surfaces approach each other, or by 0 where this
-     * factor is negative; the bound of friction changes with it.
+     * Damping d [s/m], >= 0, else KSTRIP_ERROR_NORMAL_DAMPING (Hunt and Crossley): the pressure
+     * is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0
+     * if this factor is negative; the bound of friction changes with it.
      */
     double normal_damping;
-    /** Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02. */
+    /**
+     * Floor of the speed [m/s], as in kstrip_motion; 0 stands for 0.02, and a negative one is
+     * KSTRIP_ERROR_FLOOR_SPEED.
+     */
     double floor_speed;
     /**
-     * Radius of the rail at z = 0 of its profile [m], >= 0: that of a roller rig or of the lower
-     * of two discs, whose axis is along y; 0: a straight rail.
+     * Radius of the rail at z = 0 of its profile [m], >= 0, else KSTRIP_ERROR_ROLLING_RADIUS: of
+     * a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.
      */
     double rail_radius;
     /** x of the roller's axis from the wheel's centre [m]; not used for a straight rail. */
@@ -2000,10 +2001,7 @@ typedef struct kstrip_wheel_pair {
     double rail_speed;
 } kstrip_wheel_pair;
 
-/**
- * One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
- * rail.
- */
+/** One contact of a wheel. Its frame (x, t, n): forward, across the surface, into the rail. */
 typedef struct kstrip_wheel_contact {
     /**
      * Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre
@@ -2015,18 +2013,16 @@ typedef struct kstrip_wheel_contact {
      * left wheel it is that of the mirrored right wheel.
      */
     double angle;
-    /**
-     * Range of the angle over the patch [rad]; above 0.52 the status is
-     * KSTRIP_WARNING_ANGLE_RANGE.
-     */
+    /** Range of the angle over the patch [rad]; above 0.52 KSTRIP_WARNING_ANGLE_RANGE. */
     double angle_range;
     /** Distance of the origin from the axle [m]. */
     double radius;
-    /** Load of the strips [N]. */
+    /** Load of the strips [N], >= 0, else KSTRIP_ERROR_NORMAL_FORCE. */
     double normal_force;
     /**
-     * Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 5 to 7
-     * mm apart, which count partly by themselves and partly as one contact.
+     * Factor of load and forces in the sum over the contacts [-], >= 0, else KSTRIP_ERROR_SHARE:
+     * 1, except for contacts 5 to 7 mm apart, whose result blends separate contacts with a merged
+     * one.
      */
     double share;
     /** Overlap of the undeformed, smoothed surfaces where it is deepest [m]. */
@@ -2056,21 +2052,18 @@ typedef struct kstrip_wheel_contact {
     double spin_rate[6];
     /** rolling_speed of kstrip_motion. */
     double rolling_speed[6];
-    /** normal_damping of kstrip_wheel_pair. */
+    /** normal_damping of kstrip_wheel_pair; a negative one is KSTRIP_ERROR_NORMAL_DAMPING. */
     double normal_damping;
     /**
      * kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted
-     * with load, with the floor of the speed.
+     * with load, with the floor of the speed; a negative floor is KSTRIP_ERROR_FLOOR_SPEED.
      */
     struct kstrip_motion at_rest;
     /** The strips; y along the rail's surface, x forward from the origin. */
     struct kstrip_patch patch;
     /** x and z of a roller's axis from the wheel's centre [m]; 0 and 0 for a straight rail. */
     double rail_axis[2];
-    /**
-     * Rate of a roller about its axis [rad/s]: rail_speed over rail_radius; 0 for a straight
-     * rail.
-     */
+    /** Rate of a roller about its axis [rad/s]: rail_speed/rail_radius; 0: a straight rail. */
     double rail_rate;
     /**
      * Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller
@@ -2105,10 +2098,10 @@ typedef struct kstrip_wheel_contact {
 /**
  * The contacts of a gap, in ascending y of a right wheel.
  *
- * Zones of overlap less than 5 mm apart are one contact and one normal problem; zones more than 7
- * mm apart are contacts of their own. Between these distances the common contact and the single
- * ones each count by a share. Of more than four contacts the nearest neighbours are one, with
- * KSTRIP_WARNING_ROUGH.
+ * Overlaps less than 5 mm apart are one contact and one normal problem; overlaps more than 7 mm
+ * apart are separate contacts. Between these distances the result blends the separate contacts
+ * with the merged one; share has the weights. Of more than four contacts the nearest are merged,
+ * with KSTRIP_WARNING_ROUGH.
  *
  * @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
  * @param pair            materials, friction, side.
@@ -2117,11 +2110,11 @@ typedef struct kstrip_wheel_contact {
  * @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
  *                        memory of the computation too: after an error it may have changed.
  * @param[out] count      receives their number; 0: the wheel is lifted.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
- *         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PROFILE (lengths or places of friction do not
- *         ascend, an angle beyond 2.3),
- *         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
- *         kstrip_patch_from_profile().
+ * @return usual statuses; statuses of kstrip_gap, kstrip_wheel_pair and kstrip_wheel_position;
+ *         KSTRIP_WARNING_ANGLE_RANGE (the normal turns by more than 30 degrees over a contact);
+ *         KSTRIP_WARNING_ROUGH (also a contact with more local minima than its strips resolve);
+ *         KSTRIP_ERROR_PROFILE_END (a contact reaches an end of the gap); KSTRIP_ERROR_PATCH_SIZE
+ *         (more contacts than fit).
  */
 kstrip_status kstrip_contacts_from_gap(const struct kstrip_gap *gap,
                                        const struct kstrip_wheel_pair *pair,
@@ -2141,10 +2134,7 @@ typedef struct kstrip_wheel_velocity {
     double lateral;
     /** Velocity of the centre along z, down [m/s]. */
     double vertical;
-    /**
-     * Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do
-     * not spin.
-     */
+    /** Rate about the wheelset's own x [rad/s]; these axes do not spin with the axle. */
     double roll;
     /** Rate about the axle [rad/s]: about minus forward divided by radius. */
     double pitch;
@@ -2160,7 +2150,7 @@ typedef struct kstrip_wheel_velocity {
  * @param contact         a contact.
  * @param velocity        how the wheel moves.
  * @param[out] motion     receives the motion, that of a roller included.
- * @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses.
  */
 kstrip_status kstrip_wheel_motion(const struct kstrip_wheel_contact *contact,
                                   const struct kstrip_wheel_velocity *velocity,
@@ -2214,7 +2204,7 @@ typedef struct kstrip_wrench_derivatives {
  * kstrip_contacts_from_gap() or from a table.
  *
  * The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
- * continuous through rest. They are continuous where damping takes away all of the pressure, and
+ * continuous through rest. They are continuous where damping reduces the pressure to zero, and
  * have a kink there.
  *
  * @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
@@ -2226,8 +2216,12 @@ typedef struct kstrip_wrench_derivatives {
  * @param[out] wrench     receives force and moment.
  * @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
  *                          not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
- *         KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_NORMAL_DAMPING, KSTRIP_ERROR_FLOOR_SPEED.
+ * @return usual statuses; statuses of kstrip_wheel_contact and kstrip_friction; warnings of
+ *         kstrip_options; KSTRIP_WARNING_DAMPING (it more than doubles the pressure);
+ *         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+ *         kstrip_evaluate(); KSTRIP_ERROR_PATCH_SIZE (too many contacts or strips);
+ *         KSTRIP_ERROR_MODEL (model is another number); KSTRIP_ERROR_NOT_IN_MODEL
+ *         (KSTRIP_MODEL_LINEAR); KSTRIP_ERROR_MODEL_LEFT_OUT (this build has no such model).
  */
 kstrip_status kstrip_wrench_from_contacts(const struct kstrip_wheel_contact *contacts,
                                           uint32_t count,
@@ -2252,14 +2246,21 @@ typedef struct kstrip_strip_power {
      * the contact; of a left wheel that of the mirrored right wheel.
      */
     double fy;
-    /** Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load. */
+    /**
+     * Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load,
+     * and below zero together with it.
+     */
     double slip;
-    /** Frictional power [W], with the share of the contact. */
+    /**
+     * Frictional power [W], with the share of the contact. That of a strip that hardly slides
+     * may be a little below zero: -0.06 % of the power of the wheel if it rolls, -0.4 % if it
+     * stands.
+     */
     double power;
 } kstrip_strip_power;
 
 /**
- * Load, sliding velocity and frictional power of each strip of a contact: what wears profiles.
+ * Load, sliding velocity and frictional power of each strip of a contact, to compute wear.
  *
  * Add the strips of all contacts at their wheel_y; y on the rail is that of the position plus
  * strip_y of the contact. The powers add up to the dissipation of kstrip_wrench_from_contacts()
@@ -2273,7 +2274,8 @@ typedef struct kstrip_strip_power {
  *                        KSTRIP_PATCH_CAPACITY is always enough.
  * @param capacity        size of strips.
  * @param[out] count      receives the number of strips.
- * @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY.
+ * @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY (capacity is below
+ *         contact->patch.count).
  */
 kstrip_status kstrip_contact_power_across(const struct kstrip_wheel_contact *contact,
                                           const struct kstrip_wheel_velocity *velocity,
@@ -2334,15 +2336,16 @@ typedef struct kstrip_wrench_by_position {
  *                          NULL: not needed.
  * @param[out] by_position  receives their derivatives with respect to position: exact but for one
  *                        difference of creep forces, one-sided at kinks; for a roller central
- *                        differences, at eight times the cost. NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
- *         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
- *         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
- *         KSTRIP_WARNING_YOUNG, KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET,
- *         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_DAMPING for implausible inputs; or a status of
- *         one of these functions. An error of implausible inputs is the one that names their
- *         likely cause: KSTRIP_ERROR_ANGLE, KSTRIP_ERROR_LENGTH_UNIT, KSTRIP_ERROR_MODULUS_UNIT,
- *         KSTRIP_ERROR_SWAPPED, KSTRIP_ERROR_ORIENTATION.
+ *                        differences. NULL: not needed.
+ * @return as kstrip_touch(), kstrip_contacts_from_gap() and kstrip_wrench_from_contacts().
+ *         KSTRIP_ERROR_MODULUS_UNIT is a likely cause too (shear_modulus below 0.1 MPa). Warnings
+ *         about implausible inputs: KSTRIP_WARNING_ORIENTATION (a profile is not that of a rail or
+ *         a wheel, or a contact is above 30 degrees), KSTRIP_WARNING_PROFILE_SIZE (a profile is
+ *         longer than 1 m), KSTRIP_WARNING_RADIUS (wheel_radius is above 5 m),
+ *         KSTRIP_WARNING_MODULUS (below 0.1 MPa or above 10 TPa), KSTRIP_WARNING_YOUNG (above 150
+ *         GPa), KSTRIP_WARNING_FRICTION (above 5), KSTRIP_WARNING_UNSET (friction and
+ *         poisson_ratio are 0), KSTRIP_WARNING_PRESSURE (above a tenth of shear_modulus).
+ *         KSTRIP_WARNING_PROFILE_COARSE: a contact is narrower than four point spacings.
  */
 kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    const struct kstrip_surface *wheel,
@@ -2360,8 +2363,8 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * Several threads may each compute a part, with a workspace of their own.
  *
  * Pairs, positions, velocities and friction are arrays, in which the next element is a stride
- * away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
- * the others: its status says why, and its other outputs are untouched.
+ * away; with a stride of 0 all wheels have the same one. A wheel without a result does not stop
+ * the others; its status has the reason, and its other outputs are untouched.
  *
  * @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
  * @param count           number of wheels; 0 is allowed.
@@ -2383,9 +2386,9 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  *                        KSTRIP_CONTACTS_CAPACITY.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
  *                        NULL: not needed.
- * @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
- *         of any wheel.
+ * @return as kstrip_wheel_on_rail(): the first error of a wheel, or the most serious warning;
+ *         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
+ *         of the alignment), KSTRIP_ERROR_CAPACITY (room is above KSTRIP_CONTACTS_CAPACITY).
  */
 kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -2407,9 +2410,8 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      kstrip_status *statuses);
 
 /**
- * The vertical position at which the rail supports a wheel with a given force. Use it to begin a
- * run, and for tables. The search tries four positions in most cases, and 100
- * at most, and finds the highest. The force is that of the height within rounding.
+ * The vertical position at which the rail supports a wheel with a given force, to rounding. Use it
+ * to begin a run, and for tables. Of several positions it is the highest.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail().
  * @param position        where the wheel is; its vertical member is where the search begins.
@@ -2419,10 +2421,9 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
  * @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
- * @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
- *         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
- *         exceeds a twentieth of the shear modulus);
- *         KSTRIP_ERROR_SUPPORT, or a status of kstrip_wheel_on_rail().
+ * @return as kstrip_wheel_on_rail(); KSTRIP_WARNING_NOT_CONVERGED (no height carries the load to
+ *         rounding); KSTRIP_WARNING_SUPPORT (no ordinary contact supports the wheel at this
+ *         height); KSTRIP_ERROR_SUPPORT (support <= 0).
  */
 kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -2448,7 +2449,9 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
  * @param[out] verticals  array of count elements; receives the vertical positions [m].
  * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
  *                        NULL: not needed.
- * @return as kstrip_wheels_on_rails().
+ * @return as kstrip_height_for_load(): the first error of a wheel, or the most serious warning;
+ *         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
+ *         of the alignment).
  */
 kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
                                        const struct kstrip_surface *wheel,
@@ -2489,9 +2492,9 @@ kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
  * @param rail            prepared profile of a rail.
  * @param depth           depth below the top of the rail [m], >= 0; 0: 14 mm.
  * @param[out] face       receives y of the gauge face from the rail's origin [m]; negative.
- * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
- *         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
- *         KSTRIP_ERROR_GAUGE (depth).
+ * @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
+ *         KSTRIP_ERROR_NULL (rail or face), KSTRIP_ERROR_NOT_FINITE (depth is infinite or NaN),
+ *         KSTRIP_ERROR_NOT_PREPARED (rail), KSTRIP_ERROR_GAUGE (depth < 0).
  */
 kstrip_status kstrip_gauge_face(const struct kstrip_surface *rail, double depth, double *face);
 
@@ -2499,11 +2502,14 @@ kstrip_status kstrip_gauge_face(const struct kstrip_surface *rail, double depth,
 typedef struct kstrip_curve {
     /** Speed along the middle of the track, at the height of the wheelset's centre [m/s]. */
     double speed;
-    /** One divided by the radius of the curve [1/m]: positive to the right, 0: straight. */
+    /**
+     * One divided by the radius of the curve [1/m]: positive to the right, 0: straight.
+     * KSTRIP_WARNING_CURVATURE if its size is above 0.2.
+     */
     double curvature;
     /**
-     * Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve
-     * to the right it is positive.
+     * Angle of cant [rad]: positive where the right rail is lower, between -1 and 1, else
+     * KSTRIP_ERROR_ANGLE. In a curve to the right it is positive.
      */
     double cant;
     /** Acceleration of gravity [m/s^2]; 0: 9.80665. */
@@ -2523,8 +2529,7 @@ typedef struct kstrip_curve {
  * @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
  *                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
  *                        zero. NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_CURVATURE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
- *         KSTRIP_ERROR_ANGLE (yaw, roll or cant of 1 or more), KSTRIP_ERROR_OVERFLOW.
+ * @return usual statuses; statuses of kstrip_curve and kstrip_wheel_position.
  */
 kstrip_status kstrip_curve_motion(const struct kstrip_curve *curve,
                                   const struct kstrip_wheel_position *position,
@@ -2532,14 +2537,14 @@ kstrip_status kstrip_curve_motion(const struct kstrip_curve *curve,
                                   struct kstrip_wheel_velocity *velocity,
                                   double *weight);
 
-/** A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one. */
+/**
+ * A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one.
+ * KSTRIP_ERROR_GAUGE if back_to_back and running_circles are both 0, or one of them is negative.
+ */
 typedef struct kstrip_wheelset {
     /** Prepared profiles, both of a right wheel: right, left; left NULL: as the right one. */
     const struct kstrip_surface *wheel[2];
-    /**
-     * Falling friction, as in kstrip_patch_evaluate(): right, left; NULL:
-     * constant.
-     */
+    /** Falling friction, as in kstrip_patch_evaluate(): right, left; NULL: constant. */
     const struct kstrip_friction *friction[2];
     /**
      * Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
@@ -2577,7 +2582,8 @@ typedef struct kstrip_rail_motion {
  * A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
  * the track is midway between the gauge faces. Cant and inclination of the track are those of
  * these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
- * number 1 the left side.
+ * number 1 the left side. KSTRIP_ERROR_GAUGE if gauge, gauge_depth or an origin is negative, or if
+ * the gauge is 0 and used; KSTRIP_WARNING_PROFILE_END if a rail ends above gauge_depth.
  */
 typedef struct kstrip_track {
     /** Prepared profiles, both of a right rail: right, left; left NULL: as the right one. */
@@ -2642,10 +2648,7 @@ typedef struct kstrip_wheelset_derivatives {
  * at constant velocities.
  */
 typedef struct kstrip_wheelset_by_position {
-    /**
-     * With respect to the positions [N, N m per m, rad]; the columns of forward and pitch are
-     * zero.
-     */
+    /** With respect to the positions [N, N m per m, rad]; forward and pitch columns are zero. */
     double position[KSTRIP_WHEELSET_FREEDOMS][KSTRIP_WHEELSET_FREEDOMS];
 } kstrip_wheelset_by_position;
 
@@ -2655,7 +2658,7 @@ typedef struct kstrip_wheelset_by_position {
  * The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
  * of the track, vertical below the place where the centre is the mean of both wheel radii above
  * the rails' origins. The velocity is that of the centre relative to the momentary track, with
- * rates about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are
+ * rates about the wheelset's own axes; in a curve kstrip_curve_motion() computes it. Forces are
  * continuous as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the
  * dissipation and minus the power that goes into the pressure.
  *
@@ -2670,9 +2673,8 @@ typedef struct kstrip_wheelset_by_position {
  *                        friction; NULL: not needed.
  * @param[out] by_position  receives derivatives with respect to the ten positions, as exact as
  *                        those of kstrip_wheel_on_rail(); NULL: not needed.
- * @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
- *         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
- *         origins, or no distance of the wheels).
+ * @return statuses of kstrip_wheelset and kstrip_track; as kstrip_wheel_on_rail() for each wheel,
+ *         of two warnings the more serious.
  */
 kstrip_status kstrip_wheelset_on_track(const struct kstrip_wheelset *set,
                                        const struct kstrip_track *track,
@@ -2685,25 +2687,20 @@ kstrip_status kstrip_wheelset_on_track(const struct kstrip_wheelset *set,
 
 /** Loads of the vehicle and of gravity on a wheelset that does not accelerate. */
 typedef struct kstrip_wheelset_loads {
-    /** Downward force at the wheelset's centre [N], its weight included, > 0. */
+    /** Downward force at the centre [N], weight included, > 0, else KSTRIP_ERROR_SUPPORT. */
     double vertical;
     /** Moment about the wheelset's x axis [N m]: positive from y to z, onto the right rail. */
     double roll;
-    /**
-     * Torque about the axle [N m], in the sense of the pitch rate: negative where it drives
-     * forward.
-     */
+    /** Torque about the axle [N m], in the sense of the pitch rate: negative drives forward. */
     double pitch;
 } kstrip_wheelset_loads;
 
 /**
  * A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
- * given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction
- * from 0 on, any speed and rollers are possible. Heights and roll are balanced at each pitch
- * rate, and the pitch rate lies in a bracket around those at which the contacts roll purely.
- * Without friction it is that of pure rolling on the mean radius. Six evaluations with
- * derivatives are usual. A wheel is lifted in the result only if no balance is found with both
- * wheels on the rails.
+ * given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction from
+ * 0 on, any speed and rollers are possible. Without friction the pitch rate is that of pure
+ * rolling on the mean radius. A wheel is lifted in the result only if no balance is found with
+ * both wheels on the rails.
  *
  * @param set, track      as in kstrip_wheelset_on_track().
  * @param start           lateral and yaw; vertical and roll are where the search begins.
@@ -2714,8 +2711,9 @@ typedef struct kstrip_wheelset_loads {
  * @param[out] position   receives the position.
  * @param[out] moves      receives the velocity, with the pitch rate.
  * @param[out] forces     receives the forces there; NULL: not needed.
- * @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
- *         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads),
+ * @return as kstrip_wheelset_on_track(); statuses of kstrip_wheelset_loads;
+ *         KSTRIP_WARNING_NOT_CONVERGED (the balance is not exact to rounding);
+ *         KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads);
  *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
  */
 kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
@@ -2740,7 +2738,9 @@ kstrip_status kstrip_wheelset_settle(const struct kstrip_wheelset *set,
  * @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
  *                        NULL: not needed.
- * @return as kstrip_wheels_on_rails().
+ * @return as kstrip_wheelset_on_track(): the first error of an element, or the most serious
+ *         warning; before any element KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE
+ *         (no multiple of the alignment).
  */
 kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
                                         const struct kstrip_track *track,
@@ -2767,7 +2767,7 @@ kstrip_status kstrip_wheelsets_on_track(const struct kstrip_wheelset *set,
  * @param[out] forces     array of count elements; NULL: not needed.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();
  *                        NULL: not needed.
- * @return as kstrip_wheels_on_rails().
+ * @return as kstrip_wheelset_settle(), and before any element as kstrip_wheelsets_on_track().
  */
 kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
                                       const struct kstrip_track *track,
@@ -2798,8 +2798,8 @@ kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
  *                        an error is untouched and does not stop the others.
  * @param[out] statuses   array of count elements; receives the status of each shift; NULL: not
  *                        needed.
- * @return KSTRIP_OK or an error of kstrip_wheelset_on_track(): that of the first shift without a
- *         difference, or one without a status of any shift.
+ * @return as kstrip_wheelset_on_track() without velocities and contacts: the first error of a
+ *         shift; before any shift KSTRIP_ERROR_NULL (a required array or structure).
  */
 kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set,
                                                const struct kstrip_track *track,
@@ -2827,12 +2827,13 @@ kstrip_status kstrip_rolling_radius_difference(const struct kstrip_wheelset *set
  *                        where the conicity is 0; NULL: not needed.
  * @param[out] statuses   array of number elements; receives the status of each amplitude; NULL:
  *                        not needed.
- * @return KSTRIP_OK, or the error of the first amplitude without a conicity:
- *         KSTRIP_ERROR_CONICITY (it is not positive or beyond the shifts, or the radii turn the
- *         wheelset away from the middle), KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW; or,
- *         without a status of any amplitude, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
- *         KSTRIP_ERROR_PROFILE (too few shifts, or they do not ascend), KSTRIP_ERROR_GAUGE,
- *         KSTRIP_ERROR_ROLLING_RADIUS.
+ * @return KSTRIP_OK, or the error of the first amplitude without a conicity: KSTRIP_ERROR_CONICITY
+ *         (it is not positive or beyond the shifts, or the radii turn the wheelset away from the
+ *         middle), KSTRIP_ERROR_NOT_FINITE (it is infinite or NaN), KSTRIP_ERROR_OVERFLOW (a
+ *         result is too large); before any amplitude KSTRIP_ERROR_NULL (a required array),
+ *         KSTRIP_ERROR_NOT_FINITE (another number), KSTRIP_ERROR_PROFILE (fewer than two shifts,
+ *         or they do not ascend), KSTRIP_ERROR_GAUGE (running_circles <= 0),
+ *         KSTRIP_ERROR_ROLLING_RADIUS (wheel_radius <= 0).
  */
 kstrip_status kstrip_equivalent_conicity(const double *shifts,
                                          const double *differences,
@@ -2894,18 +2895,17 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * The search has a fixed largest number of solutions. Where the contact adheres (less than a
- * twentieth of the friction is used, or the force is larger than linear theory gives) the status
- * is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
- * bound. Where spin opposes the creepage, more than one friction may explain the force: the status
- * is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
- * best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
- * across the measured force counts there as one of several solutions, and is returned only with
- * KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an estimate may miss a friction, most
- * often if the force is nearly zero.
+ * If the contact adheres (less than a twentieth of the friction is used, or the force is larger
+ * than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the
+ * used friction |force|/load, a lower bound. If spin opposes the creepage, more than one friction
+ * may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
+ * smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
+ * first strip begins to adhere. A jump across the measured force is one of several solutions
+ * there, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an
+ * estimate may miss a friction, most often if the force is nearly zero.
  *
  * Under a law the result is its friction, without slip: a force that was computed with the law
- * gives the law's coefficient. If the actual law is another one, each creepage gives another
+ * has the law's coefficient. If the actual law is another one, each creepage has another
  * friction; kstrip_fit_friction() finds the law.
  *
  * @param contact         ellipse, load, material; its friction is ignored.
@@ -2917,10 +2917,11 @@ typedef struct kstrip_friction_estimate {
  *                        counts.
  * @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
  * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
- * @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
- *         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
- *         KSTRIP_ERROR_UNEXPLAINED (a lost contact too), or an error of the law as
- *         kstrip_evaluate().
+ * @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_FRICTION_AT_LEAST,
+ *         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED (see above);
+ *         KSTRIP_ERROR_NOT_IN_MODEL (KSTRIP_MODEL_LINEAR); KSTRIP_ERROR_MEASURED (measured is
+ *         another number); KSTRIP_ERROR_UNEXPLAINED (no friction gives the force, or the contact
+ *         is lost).
  */
 kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
                                        const struct kstrip_creepage *creepage,
@@ -2934,12 +2935,12 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
 /**
  * The creepage at which a contact with a given spin carries a requested force.
  *
- * The search ends after 40 solutions with KSTRIP_WARNING_NOT_CONVERGED and the nearest creepage; a
- * force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing with
- * the creepage, more than one creepage may give the force; the result is one of them. A force
- * within 0.1 % of friction times load is that of full sliding. The status is then
- * KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as
- * well. A lost contact carries no force at any creepage; the result is zero.
+ * If no creepage has the force to rounding, such as a force within a jump of STRIP_1967, the
+ * result is the nearest, with KSTRIP_WARNING_NOT_CONVERGED. If spin keeps the force from growing
+ * with the creepage, more than one creepage may have it; the result is one of them. A force within
+ * 0.1 % of friction times load is that of full sliding. The status is then
+ * KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every larger creepage has the force as well. A lost
+ * contact carries no force.
  *
  * @param contact         ellipse, load, material, friction.
  * @param fx, fy          requested force on the lower body [N].
@@ -2948,8 +2949,9 @@ kstrip_status kstrip_estimate_friction(const struct kstrip_contact *contact,
  *                        that falling friction does not reach is KSTRIP_WARNING_NOT_CONVERGED.
  * @param options         model and strip count; NULL for the defaults.
  * @param[out] creepage   receives the creepages, and the given spin.
- * @return as kstrip_solve(); KSTRIP_WARNING_CREEPAGE_AT_LEAST, KSTRIP_WARNING_NOT_CONVERGED;
- *         KSTRIP_ERROR_FORCE_BEYOND_FRICTION, or an error of the law as kstrip_evaluate().
+ * @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_CREEPAGE_AT_LEAST and
+ *         KSTRIP_WARNING_NOT_CONVERGED (see above); KSTRIP_WARNING_SEVERAL_FRICTIONS, as in
+ *         kstrip_evaluate(); KSTRIP_ERROR_FORCE_BEYOND_FRICTION (the force exceeds mu N).
  */
 kstrip_status kstrip_creepage_for_force(const struct kstrip_contact *contact,
                                         double fx,
@@ -2972,11 +2974,11 @@ typedef struct kstrip_measured_force {
     /** Lateral force on the lower body [N]; ignored unless it was measured. */
     double fy;
     /**
-     * Weight of the squared error of a force, >= 0: 1 for points of equal accuracy, 1/error^2
-     * otherwise; 0: the point does not count.
+     * Weight of the squared error of a force, >= 0, else KSTRIP_ERROR_WEIGHT. It is 1 for points
+     * of equal accuracy, 1/error^2 otherwise; 0: the point does not count.
      */
     double weight;
-    /** KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added. */
+    /** KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added; else KSTRIP_ERROR_MEASURED. */
     uint32_t measured;
     /** Reserved: zero. */
     uint32_t reserved;
@@ -2991,10 +2993,7 @@ typedef struct kstrip_friction_fit {
      * a member that was not fitted or that ended at a bound.
      */
     struct kstrip_friction standard_errors;
-    /**
-     * Root of the weighted mean of the squared differences between measured and computed forces
-     * [N].
-     */
+    /** Root of the weighted mean square difference between measured and computed forces [N]. */
     double residual;
     /** Largest number of times that all forces were computed from one start. */
     uint32_t steps;
@@ -3005,16 +3004,13 @@ typedef struct kstrip_friction_fit {
 /**
  * The law of friction that comes nearest to a measured creep curve.
  *
- * The sum of the squared differences between measured and computed forces, each times the weight
- * of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
- * measured curves need 6 to 20. Each step costs one solution with derivatives for every point. The
- * search begins at start and at nine other places, unless the points are met exactly, and the best
- * law is returned, after up to 1000 more steps if 80 do not reach it. Members of the law that are
- * not fitted keep the values of start. A fitted member that is 0 in start begins at a usual value;
- * falling friction needs the rolling speed in start. Bounds are those of the law: a member that
- * ends at its bound has a standard error of 0, and the status is KSTRIP_WARNING_FIT_BOUND. If
- * another law has a residual that is at most 1 per cent larger, the status is
- * KSTRIP_WARNING_SECOND_MINIMUM.
+ * It minimises the sum of the squared differences between measured and computed forces, each times
+ * the weight of its point. The search begins at start and at other places, unless the points are
+ * met exactly. Members of the law that are not fitted keep the values of start. A fitted member
+ * that is 0 in start begins at a usual value; falling friction needs the rolling speed in start.
+ * Bounds are those of the law: a member that ends at its bound has a standard error of 0, and the
+ * status is KSTRIP_WARNING_FIT_BOUND. If another law has a residual that is at most 1 per cent
+ * larger, the status is KSTRIP_WARNING_SECOND_MINIMUM.
  *
  * Points that lie on one part of the curve do not determine each parameter. The status is then
  * KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
@@ -3029,11 +3025,13 @@ typedef struct kstrip_friction_fit {
  * @param[out] fit        receives the law and its standard errors.
  * @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
  *                        NULL: not requested.
- * @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED,
- *         KSTRIP_WARNING_SECOND_MINIMUM, KSTRIP_WARNING_FIT_BOUND, KSTRIP_WARNING_PER_CENT;
- *         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
- *         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
- *         kstrip_evaluate().
+ * @return usual statuses; errors of kstrip_contact, kstrip_friction (start), kstrip_measured_force
+ *         and kstrip_options; KSTRIP_WARNING_FIT_BOUND, KSTRIP_WARNING_SECOND_MINIMUM and
+ *         KSTRIP_WARNING_UNDETERMINED (see above); KSTRIP_WARNING_NOT_CONVERGED (the last step
+ *         still changed the law); KSTRIP_WARNING_PER_CENT (the slope factor is below 0.05);
+ *         KSTRIP_ERROR_FEW_POINTS (fewer forces than parameters); KSTRIP_ERROR_FIT_PARAMETERS
+ *         (parameters is 0 or no sum of the constants); KSTRIP_ERROR_UNEXPLAINED (the contact is
+ *         lost).
  */
 kstrip_status kstrip_fit_friction(const struct kstrip_contact *contact,
                                   const struct kstrip_measured_force *points,
@@ -3066,7 +3064,7 @@ kstrip_status kstrip_fit_friction(const struct kstrip_contact *contact,
  * kstrip_options o = {0} does the same.
  *
  * @param[out] options  receives the defaults.
- * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ * @return KSTRIP_OK, or KSTRIP_ERROR_NULL if options is NULL.
  */
 kstrip_status kstrip_options_init(struct kstrip_options *options);
 
@@ -3075,7 +3073,7 @@ kstrip_status kstrip_options_init(struct kstrip_options *options);
  *
  * @param lower           result on the lower body.
  * @param[out] upper      receives the result on the upper body.
- * @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+ * @return KSTRIP_OK, or KSTRIP_ERROR_NULL if lower or upper is NULL.
  */
 kstrip_status kstrip_result_on_upper_body(const struct kstrip_result *lower,
                                           struct kstrip_result *upper);

@@ -41,7 +41,9 @@ kstrip_status kstrip_material_combine_f32(const struct kstrip_material_f32 *lowe
 
 /**
  * Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite
- * (INFINITY), concave negative. Zero and NaN are errors.
+ * (INFINITY), concave negative. KSTRIP_ERROR_CURVATURE if one is 0 or NaN, or if the curvatures of
+ * both bodies in one plane add up to 0 or less; KSTRIP_WARNING_RADIUS if they are those of radii
+ * above 5 m in both planes.
  */
 typedef struct kstrip_radii_f32 {
     float lower_x;
@@ -107,7 +109,11 @@ typedef struct kstrip_velocity_f32 {
     float angular_z;
 } kstrip_velocity_f32;
 
-/** Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). */
+/**
+ * Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
+ * KSTRIP_WARNING_CREEPAGE if longitudinal or lateral is above 10 in size; KSTRIP_WARNING_SPIN_UNIT
+ * if the spin is larger than bodies that roll on such a contact can have.
+ */
 typedef struct kstrip_creepage_f32 {
     float longitudinal;
     float lateral;
@@ -168,7 +174,7 @@ kstrip_status kstrip_solve_f32(const struct kstrip_contact_f32 *contact,
  * and layer is an elastic layer that is known.
  *
  * Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
- * wet 0.3, 0.4, 0.2 s/m.
+ * wet 0.3, 0.4, 0.2 s/m. KSTRIP_ERROR_MODEL_LEFT_OUT if this build of the library has no laws.
  */
 typedef struct kstrip_friction_f32 {
     float friction;
@@ -473,8 +479,8 @@ typedef struct kstrip_patch_strip_f32 {
  * functions check it again. A patch whose members are all zero, except shear_modulus, carries no
  * load.
  *
- * Where the distance of two neighbours is more than one and a half times that at which they touch,
- * there is a gap: the strips on either side are a lobe of their own.
+ * If the distance of two neighbours is more than one and a half times the distance at which they
+ * touch, there is a gap, and the strips on either side are separate contact regions (lobes).
  */
 typedef struct kstrip_patch_f32 {
     struct kstrip_patch_strip_f32 strips[KSTRIP_PATCH_CAPACITY];
@@ -675,10 +681,7 @@ typedef struct kstrip_wheel_pair_f32 {
     float rail_speed;
 } kstrip_wheel_pair_f32;
 
-/**
- * One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
- * rail.
- */
+/** One contact of a wheel. Its frame (x, t, n): forward, across the surface, into the rail. */
 typedef struct kstrip_wheel_contact_f32 {
     float origin[3];
     float angle;
@@ -892,7 +895,10 @@ kstrip_status kstrip_curve_motion_f32(const struct kstrip_curve_f32 *curve,
                                       struct kstrip_wheel_velocity_f32 *velocity,
                                       float *weight);
 
-/** A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one. */
+/**
+ * A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one.
+ * KSTRIP_ERROR_GAUGE if back_to_back and running_circles are both 0, or one of them is negative.
+ */
 typedef struct kstrip_wheelset_f32 {
     const struct kstrip_surface_f32 *wheel[2];
     const struct kstrip_friction_f32 *friction[2];
@@ -916,7 +922,8 @@ typedef struct kstrip_rail_motion_f32 {
  * A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
  * the track is midway between the gauge faces. Cant and inclination of the track are those of
  * these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
- * number 1 the left side.
+ * number 1 the left side. KSTRIP_ERROR_GAUGE if gauge, gauge_depth or an origin is negative, or if
+ * the gauge is 0 and used; KSTRIP_WARNING_PROFILE_END if a rail ends above gauge_depth.
  */
 typedef struct kstrip_track_f32 {
     const struct kstrip_surface_f32 *rail[2];

@@ -78,8 +78,8 @@ statuses! {
         KSTRIP_ERROR_SEMI_AXIS SemiAxis = -3:
             "a semi-axis is not positive", "a and b must be > 0 (metres)";
         KSTRIP_ERROR_NORMAL_FORCE NormalForce = -4:
-            "the normal force of a profile or of a contact of a wheel is negative",
-            "compression is positive (newtons)";
+            "the normal force of two profiles or of a contact of a wheel is negative",
+            "compression is positive (newtons), so its sign is probably reversed";
         KSTRIP_ERROR_MODULUS Modulus = -5:
             "a modulus of elasticity is not positive", "it must be > 0 (pascals)";
         KSTRIP_ERROR_POISSON_RATIO PoissonRatio = -6:
@@ -167,8 +167,8 @@ statuses! {
             "use fewer and wider strips, or a smoother profile";
         KSTRIP_ERROR_PROFILE Profile = -44:
             "a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer \
-             than 4), two of its points coincide, or numbers that must ascend do not: its y, \
-             the lengths of a gap, or the places of friction";
+             than 4) or a negative step, or numbers that must ascend do not: its y, the lengths of \
+             a gap, the places of friction, or shifts";
         KSTRIP_ERROR_PROFILE_END ProfileEnd = -45:
             "a profile ends where the bodies would touch, or the wheel is beside the rail",
             "pass more of the profile, or its rounded edge where the body ends";

@@ -865,7 +865,7 @@ module kstrip
          import
          type(kstrip_contact), intent(in) :: contact
          type(kstrip_creepage), intent(in) :: creepage
-         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_friction), intent(in) :: friction
          type(kstrip_options), intent(in), optional :: options
          real(c_double), intent(in) :: x(*)
          integer(c_int32_t), value :: columns
@@ -902,7 +902,7 @@ module kstrip
          type(kstrip_patch), intent(inout) :: patch
       end function
 
-      !> Load, friction bound, area and lobes of a patch; checks it without solving.
+      !> Load, friction bound, area and contact regions of a patch; checks it without solving.
       integer(c_int32_t) function kstrip_patch_summarize(patch, summary) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch
@@ -937,7 +937,7 @@ module kstrip
          import
          type(kstrip_patch), intent(in) :: patch
          type(kstrip_creepage), intent(in) :: creepage
-         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_friction), intent(in) :: friction
          type(kstrip_options), intent(in), optional :: options
          real(c_double), intent(in) :: x(*)
          integer(c_int32_t), value :: columns
@@ -1044,7 +1044,7 @@ module kstrip
          type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
       end function
 
-      !> Load, sliding velocity and frictional power of each strip of a contact: what wears profiles.
+      !> Load, sliding velocity and frictional power of each strip of a contact, to compute wear.
       integer(c_int32_t) function kstrip_contact_power_across(contact, velocity, model, friction, strips, capacity, count) bind(c)
          import
          type(kstrip_wheel_contact), intent(in) :: contact
@@ -1098,7 +1098,7 @@ module kstrip
          integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
-      !> The vertical position at which the rail supports a wheel with a given force.
+      !> The vertical position at which the rail supports a wheel with a given force, to rounding.
       integer(c_int32_t) function kstrip_height_for_load(rail, wheel, pair, position, support, &
          velocity, friction, workspace, vertical) bind(c)
          import

@@ -6,6 +6,8 @@ use crate::number::{Arithmetic, Float, Number, Real, few_are_finite, scaled_down
 use crate::status::Error;
 
 /// Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
+/// KSTRIP_WARNING_CREEPAGE if longitudinal or lateral is above 10 in size; KSTRIP_WARNING_SPIN_UNIT
+/// if the spin is larger than bodies that roll on such a contact can have.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Creepage<T> {

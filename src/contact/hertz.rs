@@ -12,7 +12,9 @@ use crate::status::{Error, Warning};
 const LARGEST_OPENING: f64 = 0.3;
 
 /// Radii of curvature of two bodies at the contact \[m\]: convex positive, flat infinite
-/// (INFINITY), concave negative. Zero and NaN are errors.
+/// (INFINITY), concave negative. KSTRIP_ERROR_CURVATURE if one is 0 or NaN, or if the curvatures of
+/// both bodies in one plane add up to 0 or less; KSTRIP_WARNING_RADIUS if they are those of radii
+/// above 5 m in both planes.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Radii<F> {

@@ -7,9 +7,9 @@ use crate::status::Error;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material<F> {
-    /// Shear modulus G \[Pa\], > 0. Steel: 82e9.
+    /// Shear modulus G \[Pa\], > 0, else KSTRIP_ERROR_MODULUS. Steel: 82e9.
     pub shear_modulus: F,
-    /// Poisson's ratio \[-\], 0 to 0.5. Steel: 0.28.
+    /// Poisson's ratio \[-\], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. Steel: 0.28.
     pub poisson_ratio: F,
 }
 

@@ -19,23 +19,24 @@ use crate::status::Error;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<F> {
-    /// Semi-axis a along the rolling direction x \[m\], > 0.
+    /// Semi-axis a along the rolling direction x \[m\], > 0, else KSTRIP_ERROR_SEMI_AXIS.
     pub a: F,
-    /// Semi-axis b along y \[m\], > 0.
+    /// Semi-axis b along y \[m\], likewise; KSTRIP_WARNING_SEMI_AXIS if one is above 1 m.
     pub b: F,
     /// Normal force N \[N\]. If it is <= 0 the contact is lost, and the other members only need to
-    /// be finite.
+    /// be finite. KSTRIP_WARNING_PRESSURE if the peak pressure is above a tenth of shear_modulus.
     pub normal_force: F,
-    /// Combined shear modulus G \[Pa\] (2.6), > 0.
+    /// Combined shear modulus G \[Pa\] (2.6), > 0, else KSTRIP_ERROR_MODULUS; above 150 GPa
+    /// KSTRIP_WARNING_YOUNG, above 10 TPa KSTRIP_WARNING_MODULUS.
     pub shear_modulus: F,
-    /// Combined Poisson's ratio nu \[-\], 0 to 0.5.
+    /// Combined Poisson's ratio nu \[-\], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     pub poisson_ratio: F,
-    /// Coefficient of friction mu \[-\], >= 0.
+    /// Friction mu \[-\], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION.
     pub friction: F,
     /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
     /// like materials and positive where the lower body is the softer one; its sign changes where
     /// the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
-    /// that there is a force without creepage. The theory of 1967 neglects the mismatch.
+    /// that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
     pub mismatch: F,
 }
 

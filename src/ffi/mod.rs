@@ -58,7 +58,7 @@ pub extern "C" fn kstrip_abi_version() -> i32 {
 /// `kstrip_options o = {0}` does the same.
 ///
 /// @param[out] options  receives the defaults.
-/// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+/// @return KSTRIP_OK, or KSTRIP_ERROR_NULL if options is NULL.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_options_init(
     options: Option<&mut MaybeUninit<kstrip_options>>,

@@ -10,14 +10,18 @@ use crate::wheel_rail::WheelPair;
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheelset::track::RailMotion;
 
-/// The model and the number of strips. All zero is the default.
+/// The model and the number of strips. All zero is the default. Outside the range of the model:
+/// KSTRIP_WARNING_SPIN (1967, |psi| of 1 or more), KSTRIP_WARNING_RANGE (STRIP, |psi| above 3),
+/// KSTRIP_WARNING_AXIS_RATIO (STRIP, TOTAL: a/b beyond 0.015 to 60), KSTRIP_WARNING_BEYOND_FRICTION
+/// (LINEAR, more than mu N), KSTRIP_WARNING_MISMATCH_NEGLECTED (1967, a mismatch that is not 0).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct kstrip_options {
-    /// One of the KSTRIP_MODEL constants.
+    /// One of the KSTRIP_MODEL constants, else KSTRIP_ERROR_MODEL; KSTRIP_ERROR_MODEL_LEFT_OUT if
+    /// this build of the library has no such model.
     pub model: i32,
-    /// Number of strips: 4, 8, 16, 32 or 64; 0 means 16. Models without strips check it and ignore
-    /// it otherwise.
+    /// Number of strips: 4, 8, 16, 32 or 64; 0 means 16; else KSTRIP_ERROR_STRIP_COUNT. Models
+    /// without strips check it and ignore it otherwise.
     pub strips: i32,
 }
 
@@ -38,8 +42,7 @@ pub struct KalkerParameters<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outputs<F> {
-    /// Forces, moment, power, adhesion: those of kstrip_solve(), bit for bit, where friction is
-    /// constant.
+    /// Forces, moment, power, adhesion: those of kstrip_solve() if friction is constant.
     pub result: *mut Solution<F>,
     /// Derivatives with respect to creepages, load and friction. Under falling friction they
     /// include the change of friction.
@@ -50,8 +53,7 @@ pub struct Outputs<F> {
     /// constant. For a patch it is the factor that multiplies the friction of all strips, 1 where
     /// friction is constant.
     pub friction: *mut F,
-    /// The forces of each strip; capacity elements. Their shares add up to the result of the same
-    /// model.
+    /// The forces of each strip (capacity elements); they add up to the result of the model.
     pub strips: *mut StripResult<F>,
     /// Number of strips that were written; required with strips.
     pub count: *mut u32,
@@ -187,7 +189,7 @@ pub struct PatchSummary<F> {
     pub friction_bound: F,
     /// Contact area [m^2].
     pub area: F,
-    /// Number of lobes.
+    /// Number of contact regions.
     pub lobes: u32,
     /// Reserved: zero.
     pub reserved: u32,
@@ -198,7 +200,7 @@ pub struct PatchSummary<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoints<F> {
-    /// Places y [m], ascending.
+    /// Places y [m], ascending, else KSTRIP_ERROR_PROFILE.
     pub y: *const F,
     /// Distance of the bodies there [m], the least along x. A constant added to all distances
     /// changes nothing.
@@ -206,10 +208,10 @@ pub struct ProfilePoints<F> {
     /// Place along x [m] where the distance is least; bodies that yaw touch ahead on one side and
     /// behind on the other. NULL: at 0.
     pub centre_x: *const F,
-    /// Rolling radius [m], > 0, of each point; it replaces that of the contact. NULL: the contact's
-    /// own.
+    /// Rolling radius [m] of each point, > 0, else KSTRIP_ERROR_ROLLING_RADIUS; it replaces that of
+    /// the contact. NULL: the contact's own.
     pub rolling_radius: *const F,
-    /// Number of points, at least 2.
+    /// Number of points, at least 2, else KSTRIP_ERROR_PROFILE.
     pub points: u32,
     /// Reserved: zero.
     pub reserved: u32,
@@ -220,24 +222,25 @@ pub struct ProfilePoints<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfileOptions<F> {
-    /// Rolling radius [m], > 0; of two rolling bodies 1/R = 1/R_lower + 1/R_upper. It is ignored
-    /// where the profile has its own radii.
+    /// Rolling radius [m], > 0, else KSTRIP_ERROR_ROLLING_RADIUS; of two rolling bodies 1/R =
+    /// 1/R_lower + 1/R_upper. It is ignored where the profile has its own radii.
     pub rolling_radius: F,
-    /// Normal force N [N], >= 0; 0: approach decides.
+    /// Normal force N [N], >= 0, else KSTRIP_ERROR_NORMAL_FORCE; 0: approach decides.
     pub normal_force: F,
     /// Approach of distant points of the bodies [m], >= 0; only where normal_force is 0.
     pub approach: F,
-    /// Length over which the profile is smoothed [m], >= 0. 0 stands for half the width of the
-    /// contact, at most 2 mm. The length is always at least 2.5 steps of the profile. For rough
-    /// profiles set it to 4 mm.
+    /// Length over which the profile is smoothed [m], >= 0, else KSTRIP_ERROR_SMOOTHING_LENGTH. 0
+    /// stands for half the width of the contact, at most 2 mm. The length is always at least 2.5
+    /// steps of the profile. For rough profiles set it to 4 mm.
     pub smoothing_length: F,
-    /// Combined shear modulus G [Pa], > 0.
+    /// Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS.
     pub shear_modulus: F,
-    /// Combined Poisson's ratio [-], 0 to 0.5.
+    /// Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     pub poisson_ratio: F,
-    /// Coefficient of friction of every strip [-], >= 0.
+    /// Coefficient of friction of every strip [-], >= 0, else KSTRIP_ERROR_FRICTION.
     pub friction: F,
-    /// About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16.
+    /// About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16;
+    /// else KSTRIP_ERROR_STRIP_COUNT.
     pub strips: i32,
     /// Reserved: zero.
     pub reserved: i32,
@@ -246,7 +249,8 @@ pub struct ProfileOptions<F> {
 /// A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
 /// the track is midway between the gauge faces. Cant and inclination of the track are those of
 /// these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
-/// number 1 the left side.
+/// number 1 the left side. KSTRIP_ERROR_GAUGE if gauge, gauge_depth or an origin is negative, or if
+/// the gauge is 0 and used; KSTRIP_WARNING_PROFILE_END if a rail ends above gauge_depth.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Track<F> {
@@ -265,13 +269,13 @@ pub struct Track<F> {
 }
 
 /// A wheelset: two wheels on an axle. Number 0 is the right wheel, number 1 the left one.
+/// KSTRIP_ERROR_GAUGE if back_to_back and running_circles are both 0, or one of them is negative.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelsetParts<F> {
     /// Prepared profiles, both of a right wheel: right, left; left NULL: as the right one.
     pub wheel: [*const PreparedProfile<F>; 2],
-    /// Falling friction, as in kstrip_patch_evaluate(): right, left; NULL:
-    /// constant.
+    /// Falling friction, as in kstrip_patch_evaluate(): right, left; NULL: constant.
     pub friction: [*const SlipFriction<F>; 2],
     /// Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
     /// left wheel has all values of the right one. The member left is not used.

@@ -52,8 +52,7 @@ pub struct Derivatives<F> {
     /// With respect to the normal force while a and b follow it as Hertz says: both grow like its
     /// cube root \[-, -, m\].
     pub load_through_hertz: [F; 3],
-    /// With respect to the coefficient of friction, that of the law where there is one
-    /// \[N, N, N m\].
+    /// With respect to the coefficient of friction (of the law, if given) \[N, N, N m\].
     pub friction: [F; 3],
 }
 

@@ -11,28 +11,28 @@ use crate::status::Error;
 /// and layer is an elastic layer that is known.
 ///
 /// Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m;
-/// wet 0.3, 0.4, 0.2 s/m.
+/// wet 0.3, 0.4, 0.2 s/m. KSTRIP_ERROR_MODEL_LEFT_OUT if this build of the library has no laws.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SlipFriction<F> {
-    /// Coefficient of friction without slip \[-\], >= 0.
+    /// Coefficient of friction without slip \[-\], >= 0, else KSTRIP_ERROR_FRICTION.
     pub friction: F,
-    /// Friction at infinite sliding velocity divided by friction at zero velocity \[-\], 0 to 1; 1:
-    /// friction is constant.
+    /// Friction at infinite sliding velocity divided by friction at zero velocity \[-\], 0 to 1,
+    /// else KSTRIP_ERROR_FRICTION_RATIO; 1: friction is constant.
     pub ratio: F,
-    /// How fast friction falls \[s/m\], >= 0; 0: friction is constant.
+    /// How fast friction falls \[s/m\], >= 0, else KSTRIP_ERROR_FRICTION_DECAY; 0: it is constant.
     pub decay: F,
-    /// Rolling speed \[m/s\], >= 0: sliding velocity is slip times rolling speed; 0: friction is
-    /// constant.
+    /// Rolling speed \[m/s\], >= 0, else KSTRIP_ERROR_NEGATIVE_SPEED; the sliding velocity is slip
+    /// times rolling speed. 0: friction is constant.
     pub rolling_speed: F,
-    /// Initial slope of the creep curve divided by that of clean bodies \[-\], 0 to 1; 0 stands for
-    /// 1, clean.
+    /// Initial slope of the creep curve divided by that of clean bodies \[-\], 0 to 1, else
+    /// KSTRIP_ERROR_SLOPE_FACTOR; 0 stands for 1, clean.
     pub slope_factor: F,
-    /// Stretch of the creep curve far in sliding divided by that at its start \[-\], 0 to 1; 0
-    /// stands for 1: the whole curve is stretched alike.
+    /// Stretch of the creep curve far in sliding divided by that at its start \[-\], 0 to 1, else
+    /// KSTRIP_ERROR_SLIDE_FACTOR; 0 stands for 1: the whole curve is stretched alike.
     pub slide_factor: F,
     /// Thickness of an elastic layer between the bodies divided by its shear modulus \[m/Pa\],
-    /// >= 0; 0: none.
+    /// >= 0, else KSTRIP_ERROR_LAYER; 0: none.
     pub layer: F,
 }
 

@@ -65,8 +65,8 @@ pub struct Motion<F> {
     pub spin_rate: F,
     /// Rolling speed \[m/s\]: positive along x, negative backward, zero at standstill.
     pub rolling_speed: F,
-    /// Floor of the speed \[m/s\], >= 0: creepages are slip divided by sqrt(rolling_speed^2 +
-    /// floor_speed^2). 0 stands for 0.02.
+    /// Floor of the speed \[m/s\], >= 0, else KSTRIP_ERROR_FLOOR_SPEED; 0 stands for 0.02.
+    /// Creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2).
     pub floor_speed: F,
 }
 
@@ -82,8 +82,7 @@ pub struct MotionDerivatives<F> {
     pub normal_force: [F; 3],
     /// With respect to the normal force while a and b follow it as Hertz says \[-, -, m\].
     pub load_through_hertz: [F; 3],
-    /// With respect to the coefficient of friction, that of the law where there is one
-    /// \[N, N, N m\].
+    /// With respect to the coefficient of friction (of the law, if given) \[N, N, N m\].
     pub friction: [F; 3],
     /// With respect to the ratio of the law; 0 without one \[N, N, N m\].
     pub ratio: [F; 3],
@@ -91,8 +90,7 @@ pub struct MotionDerivatives<F> {
     pub decay: [F; 3],
     /// With respect to the slope factor of the law, at 1 without one \[N, N, N m\].
     pub slope_factor: [F; 3],
-    /// With respect to the slide factor of the law; 0 where it is 0 in a law without a layer
-    /// \[N, N, N m\].
+    /// With respect to the slide factor; 0 if it is 0 in a law without a layer \[N, N, N m\].
     pub slide_factor: [F; 3],
     /// With respect to the layer of the law; 0 where there is none \[N, N, N m per m/Pa\].
     pub layer: [F; 3],

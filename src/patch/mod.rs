@@ -42,15 +42,15 @@ use core::f64::consts::{FRAC_PI_2, PI};
 pub struct PatchStrip<F> {
     /// Centre line y \[m\].
     pub y: F,
-    /// Width \[m\], > 0.
+    /// Width \[m\], > 0, else KSTRIP_ERROR_STRIP_SIZE.
     pub width: F,
-    /// Half length along x \[m\], > 0.
+    /// Half length along x \[m\], > 0, else KSTRIP_ERROR_STRIP_SIZE.
     pub half_length: F,
     /// Centre along x \[m\]; 0 for most contacts.
     pub centre_x: F,
-    /// Pressure at the centre \[Pa\], >= 0.
+    /// Pressure at the centre \[Pa\], >= 0, else KSTRIP_ERROR_PRESSURE.
     pub peak_pressure: F,
-    /// Coefficient of friction \[-\], >= 0; every strip may have its own.
+    /// Coefficient of friction \[-\] of this strip, >= 0, else KSTRIP_ERROR_FRICTION.
     pub friction: F,
 }
 

@@ -15,29 +15,30 @@ pub const KSTRIP_PATCH_CAPACITY: usize = 64;
 /// functions check it again. A patch whose members are all zero, except shear_modulus, carries no
 /// load.
 ///
-/// Where the distance of two neighbours is more than one and a half times that at which they touch,
-/// there is a gap: the strips on either side are a lobe of their own.
+/// If the distance of two neighbours is more than one and a half times the distance at which they
+/// touch, there is a gap, and the strips on either side are separate contact regions (lobes).
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Patch<F> {
-    /// The strips; the first count are used.
+    /// The strips; the first count are used. KSTRIP_ERROR_STRIP_ORDER if their y do not ascend, or
+    /// if they overlap by more than half of the distance at which they touch.
     pub strips: [PatchStrip<F>; KSTRIP_PATCH_CAPACITY],
-    /// Combined shear modulus G \[Pa\], > 0.
+    /// Combined shear modulus G \[Pa\], > 0, else KSTRIP_ERROR_MODULUS.
     pub shear_modulus: F,
-    /// Combined Poisson's ratio \[-\], 0 to 0.5.
+    /// Combined Poisson's ratio \[-\], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     pub poisson_ratio: F,
-    /// Factor \[-\], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the
-    /// strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+    /// Factor \[-\], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the
+    /// patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0
+    /// stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
     pub area_scale: F,
     /// The same for the moment of the area about x, the sum of y^2 times area.
     pub lever_scale: F,
-    /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
+    /// Number of strips, 0 to KSTRIP_PATCH_CAPACITY, else KSTRIP_ERROR_PATCH_SIZE. None: no load.
     pub count: u32,
     /// Reserved: zero.
     pub reserved: u32,
-    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact. Only
-    /// kstrip_patch_from_contact() sets it; the other functions leave it 0, and the caller may set
-    /// it.
+    /// Mismatch kappa \[-\] of the two materials, as in kstrip_contact: KSTRIP_WARNING_MISMATCH if
+    /// its size is above 0.25. Only kstrip_patch_from_contact() sets it; the caller may set it.
     pub mismatch: F,
 }
 

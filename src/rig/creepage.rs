@@ -62,8 +62,8 @@ const TAKEN: f64 = 1e4;
 /// Under a law the contact's own coefficient of friction is ignored. Where friction falls with the
 /// slip, a force that is too large is not reached: [`Warning::NotConverged`].
 ///
-/// The comment of `kstrip_creepage_for_force` tells what the warnings mean, which creepage is found
-/// where there are several, and how many solutions the search needs.
+/// The comment of `kstrip_creepage_for_force` explains the warnings, and which of several creepages
+/// is found. The search takes at most 40 solutions.
 ///
 /// # Errors
 /// Those of [`forces_of_contact`](crate::forces::forces_of_contact) and [`SlipFriction::check`],

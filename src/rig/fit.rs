@@ -79,10 +79,10 @@ pub struct MeasuredForce<F> {
     pub fx: F,
     /// Lateral force on the lower body \[N\]; ignored unless it was measured.
     pub fy: F,
-    /// Weight of the squared error of a force, >= 0: 1 for points of equal accuracy, 1/error^2
-    /// otherwise; 0: the point does not count.
+    /// Weight of the squared error of a force, >= 0, else KSTRIP_ERROR_WEIGHT. It is 1 for points
+    /// of equal accuracy, 1/error^2 otherwise; 0: the point does not count.
     pub weight: F,
-    /// KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added.
+    /// KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added; else KSTRIP_ERROR_MEASURED.
     pub measured: u32,
     /// Reserved: zero.
     pub reserved: u32,
@@ -97,8 +97,7 @@ pub struct FrictionFit<F> {
     /// Standard errors of its members, from the remaining differences between points and law; 0 for
     /// a member that was not fitted or that ended at a bound.
     pub standard_errors: SlipFriction<F>,
-    /// Root of the weighted mean of the squared differences between measured and computed forces
-    /// \[N\].
+    /// Root of the weighted mean square difference between measured and computed forces \[N\].
     pub residual: F,
     /// Largest number of times that all forces were computed from one start.
     pub steps: u32,

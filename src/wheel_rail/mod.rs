@@ -48,10 +48,11 @@ pub struct Position<F> {
     pub lateral: F,
     /// Zero when the centre is one wheel radius above the rail's origin; positive downward \[m\].
     pub vertical: F,
-    /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1.
+    /// Turn about the vertical, which points down \[rad\]: positive from x to y, between -1 and 1,
+    /// else KSTRIP_ERROR_ANGLE.
     pub yaw: F,
-    /// Turn about x \[rad\]: positive from y to z, between -1 and 1. Yaw turns about the axis that
-    /// roll has turned.
+    /// Turn about x \[rad\]: positive from y to z, between -1 and 1, else KSTRIP_ERROR_ANGLE. Yaw
+    /// turns about the axis that roll has turned.
     pub roll: F,
 }
 
@@ -87,8 +88,7 @@ pub struct Velocity<F> {
     pub lateral: F,
     /// Velocity of the centre along z, down \[m/s\].
     pub vertical: F,
-    /// Rate about the wheelset's own x \[rad/s\]. These axes yaw and roll with the wheelset but do
-    /// not spin.
+    /// Rate about the wheelset's own x \[rad/s\]; these axes do not spin with the axle.
     pub roll: F,
     /// Rate about the axle \[rad/s\]: about minus forward divided by radius.
     pub pitch: F,
@@ -127,39 +127,41 @@ pub struct Requested<'a, V, P> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelPair<F> {
-    /// Radius of the wheel at z = 0 of its profile \[m\], > 0.
+    /// Radius of the wheel at z = 0 of its profile \[m\], > 0, else KSTRIP_ERROR_ROLLING_RADIUS.
     pub wheel_radius: F,
-    /// Combined shear modulus G \[Pa\], > 0.
+    /// Combined shear modulus G \[Pa\], > 0, else KSTRIP_ERROR_MODULUS.
     pub shear_modulus: F,
-    /// Combined Poisson's ratio \[-\], 0 to 0.5.
+    /// Combined Poisson's ratio \[-\], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     pub poisson_ratio: F,
-    /// Coefficient of friction \[-\], >= 0; where friction_points is 0.
+    /// Coefficient of friction \[-\], >= 0, else KSTRIP_ERROR_FRICTION; if friction_points is 0.
     pub friction: F,
-    /// Places on the rail, y of its profile \[m\], ascending.
+    /// Places on the rail, y of its profile \[m\], ascending, else KSTRIP_ERROR_PROFILE.
     pub friction_y: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
-    /// Coefficient of friction at these places \[-\], >= 0; linear between them, constant beyond.
+    /// Coefficients there \[-\], as friction; linear between the places, constant beyond.
     pub friction_at: [F; KSTRIP_RAIL_FRICTION_CAPACITY],
-    /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is
-    /// the same everywhere.
+    /// How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY, else
+    /// KSTRIP_ERROR_CAPACITY; 0: friction is the same everywhere.
     pub friction_points: u32,
     /// 0: a right wheel; any other number: a left wheel. The profiles are always those of a right
     /// wheel; position, velocity and wrench are the wheel's own.
     pub left: i32,
-    /// Length over which the undeformed gap is smoothed \[m\], >= 0. It is always at least 2.5
-    /// steps of the wheel's profile. For rough profiles set it to 2 mm.
+    /// Length over which the undeformed gap is smoothed \[m\], >= 0, else
+    /// KSTRIP_ERROR_SMOOTHING_LENGTH. It is always at least 2.5 steps of the wheel's profile. For
+    /// rough profiles set it to 2 mm.
     pub smoothing_length: F,
-    /// About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
+    /// Strips of a contact, about: 4, 8, 16, 32 or 64, else KSTRIP_ERROR_STRIP_COUNT; 0: 16.
     pub strips: i32,
     /// KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
     pub model: i32,
-    /// Damping of the pressure d \[s/m\], >= 0 (Hunt and Crossley): the pressure is multiplied by
-    /// 1 + d times the velocity at which the surfaces approach each other, or by 0 where this
-    /// factor is negative; the bound of friction changes with it.
+    /// Damping d \[s/m\], >= 0, else KSTRIP_ERROR_NORMAL_DAMPING (Hunt and Crossley): the pressure
+    /// is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0
+    /// if this factor is negative; the bound of friction changes with it.
     pub normal_damping: F,
-    /// Floor of the speed \[m/s\], >= 0, as in kstrip_motion; 0 stands for 0.02.
+    /// Floor of the speed \[m/s\], as in kstrip_motion; 0 stands for 0.02, and a negative one is
+    /// KSTRIP_ERROR_FLOOR_SPEED.
     pub floor_speed: F,
-    /// Radius of the rail at z = 0 of its profile \[m\], >= 0: that of a roller rig or of the lower
-    /// of two discs, whose axis is along y; 0: a straight rail.
+    /// Radius of the rail at z = 0 of its profile \[m\], >= 0, else KSTRIP_ERROR_ROLLING_RADIUS: of
+    /// a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.
     pub rail_radius: F,
     /// x of the roller's axis from the wheel's centre \[m\]; not used for a straight rail.
     pub rail_ahead: F,

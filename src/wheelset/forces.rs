@@ -64,8 +64,7 @@ pub struct WheelsetDerivatives<F> {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetByPosition<F> {
-    /// With respect to the positions \[N, N m per m, rad\]; the columns of forward and pitch are
-    /// zero.
+    /// With respect to the positions \[N, N m per m, rad\]; forward and pitch columns are zero.
     pub position: [[F; KSTRIP_WHEELSET_FREEDOMS]; KSTRIP_WHEELSET_FREEDOMS],
 }
 

@@ -42,12 +42,11 @@ const FIRST_RATES: usize = 1 + 2 * KSTRIP_CONTACTS_CAPACITY;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WheelsetLoads<F> {
-    /// Downward force at the wheelset's centre \[N\], its weight included, > 0.
+    /// Downward force at the centre \[N\], weight included, > 0, else KSTRIP_ERROR_SUPPORT.
     pub vertical: F,
     /// Moment about the wheelset's x axis \[N m\]: positive from y to z, onto the right rail.
     pub roll: F,
-    /// Torque about the axle \[N m\], in the sense of the pitch rate: negative where it drives
-    /// forward.
+    /// Torque about the axle \[N m\], in the sense of the pitch rate: negative drives forward.
     pub pitch: F,
 }
 

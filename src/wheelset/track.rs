@@ -76,9 +76,10 @@ pub struct Curve<F> {
     /// Speed along the middle of the track, at the height of the wheelset's centre \[m/s\].
     pub speed: F,
     /// One divided by the radius of the curve \[1/m\]: positive to the right, 0: straight.
+    /// KSTRIP_WARNING_CURVATURE if its size is above 0.2.
     pub curvature: F,
-    /// Angle of cant \[rad\]: positive where the right rail is lower, between -1 and 1. In a curve
-    /// to the right it is positive.
+    /// Angle of cant \[rad\]: positive where the right rail is lower, between -1 and 1, else
+    /// KSTRIP_ERROR_ANGLE. In a curve to the right it is positive.
     pub cant: F,
     /// Acceleration of gravity \[m/s^2\]; 0: 9.80665.
     pub gravity: F,

@@ -4,6 +4,7 @@
 //! The C program that asks is written from the tables of that page and the declarations of the
 //! header.
 
+use crate::statuses::assert_named;
 use kstrip_testing::header::{Declared, Function, Structure, Variable};
 use kstrip_testing::prelude::*;
 use kstrip_testing::toolchain::{run_written, write_scratch};
@@ -477,6 +478,9 @@ fn bad_input_gets_its_status_and_outputs_stay() {
             _ => panic!("{line}"),
         })
         .collect();
+    let returned = cases.iter().enumerate();
+    let returned = returned.map(|(i, case)| (case.function.name.clone(), answers[&i].0)).collect();
+    assert_named(&returned);
     let statuses: BTreeMap<String, i64> = declared.constants.iter().cloned().collect();
     let mut wrong = Vec::new();
     for (i, case) in cases.iter().enumerate() {

@@ -7,6 +7,7 @@
 //! several at once.
 
 use crate::bad_input::{Setup, base, beginning, page, places};
+use crate::statuses::assert_named;
 use kstrip_testing::header::{Declared, Function, Structure, Variable};
 use kstrip_testing::prelude::*;
 use kstrip_testing::toolchain::{run_written, write_scratch};
@@ -272,11 +273,13 @@ fn late_errors_leave_outputs_and_results_are_finite() {
         .filter_map(|(name, value)| Some((*value, name.strip_prefix("KSTRIP_ERROR_")?)))
         .collect();
     let (mut wrong, mut late, mut calls) = (Vec::new(), BTreeSet::new(), 0);
+    let mut returned = BTreeSet::new();
     for line in text.lines() {
         calls += 1;
         let parts: Vec<&str> = line.split(' ').collect();
         let [name, status, untouched, finite] = parts[..4] else { panic!("{line}") };
         let status: i64 = status.parse().expect("a status");
+        returned.insert((name.to_owned(), status));
         let changes = parts[4..].chunks(3).map(|change| {
             let place: usize = change[0].parse().expect("a place");
             let times = if change[1] == "1" { "*" } else { "" };
@@ -297,4 +300,5 @@ fn late_errors_leave_outputs_and_results_are_finite() {
     println!("{calls} calls");
     assert!(wrong.is_empty(), "{} of {calls}:\n{}", wrong.len(), wrong.join("\n"));
     assert!(early.is_empty(), "no late error of {early:?}");
+    assert_named(&returned);
 }

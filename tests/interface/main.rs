@@ -9,4 +9,5 @@ mod late_errors;
 mod mistakes;
 mod prepared;
 mod python;
+mod statuses;
 mod strips_of_patch;

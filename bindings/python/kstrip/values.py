@@ -23,8 +23,8 @@ __all__ = ['Material', 'CombinedMaterial', 'Radii', 'Contact', 'HertzContact', '
 class Material(Value):
     """An isotropic elastic body.
 
-    shear_modulus: Shear modulus G [Pa], > 0. Steel: 82e9.
-    poisson_ratio: Poisson's ratio [-], 0 to 0.5. Steel: 0.28.
+    shear_modulus: Shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS. Steel: 82e9.
+    poisson_ratio: Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO. Steel: 0.28.
     """
 
     _structure: ClassVar[str] = "material"
@@ -62,7 +62,7 @@ class CombinedMaterial(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class Radii(Value):
-    """Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. Zero and NaN are errors.
+    """Radii of curvature of two bodies at the contact [m]: convex positive, flat infinite (INFINITY), concave negative. KSTRIP_ERROR_CURVATURE if one is 0 or NaN, or if the curvatures of both bodies in one plane add up to 0 or less; KSTRIP_WARNING_RADIUS if they are those of radii above 5 m in both planes.
 
     lower_x: Lower body in the plane of x and z (a straight rail: INFINITY).
     lower_y: Lower body in the plane of y and z (a rail: radius of the head).
@@ -89,13 +89,13 @@ class Radii(Value):
 class Contact(Value):
     """A loaded elliptic contact with combined elastic constants and Coulomb friction.
 
-    a: Semi-axis a along the rolling direction x [m], > 0.
-    b: Semi-axis b along y [m], > 0.
-    normal_force: Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to be finite.
-    shear_modulus: Combined shear modulus G [Pa] (2.6), > 0.
-    poisson_ratio: Combined Poisson's ratio nu [-], 0 to 0.5.
-    friction: Coefficient of friction mu [-], >= 0.
-    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower body is the softer one; its sign changes where the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that there is a force without creepage. The theory of 1967 neglects the mismatch.
+    a: Semi-axis a along the rolling direction x [m], > 0, else KSTRIP_ERROR_SEMI_AXIS.
+    b: Semi-axis b along y [m], likewise; KSTRIP_WARNING_SEMI_AXIS if one is above 1 m.
+    normal_force: Normal force N [N]. If it is <= 0 the contact is lost, and the other members only need to be finite. KSTRIP_WARNING_PRESSURE if the peak pressure is above a tenth of shear_modulus.
+    shear_modulus: Combined shear modulus G [Pa] (2.6), > 0, else KSTRIP_ERROR_MODULUS; above 150 GPa KSTRIP_WARNING_YOUNG, above 10 TPa KSTRIP_WARNING_MODULUS.
+    poisson_ratio: Combined Poisson's ratio nu [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
+    friction: Friction mu [-], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION.
+    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower body is the softer one; its sign changes where the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
     """
 
     _structure: ClassVar[str] = "contact"
@@ -177,7 +177,7 @@ class Velocity(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class Creepage(Value):
-    """Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
+    """Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3). KSTRIP_WARNING_CREEPAGE if longitudinal or lateral is above 10 in size; KSTRIP_WARNING_SPIN_UNIT if the spin is larger than bodies that roll on such a contact can have.
 
     longitudinal: Longitudinal creepage [-], positive when the upper body slides in the rolling direction.
     lateral: Lateral creepage [-], positive along y.
@@ -252,15 +252,15 @@ class Result(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class Friction(Value):
-    """Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep curve less steep: slope_factor and slide_factor describe it for a measured or published curve, and layer is an elastic layer that is known. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m.
+    """Falling friction: the coefficient is friction ((1 - ratio) exp(-decay w) + ratio), where w is the sliding velocity [m/s]. A layer between the bodies makes the creep curve less steep: slope_factor and slide_factor describe it for a measured or published curve, and layer is an elastic layer that is known. Polach, Wear 258 (2005) 992, gives for locomotives: dry friction 0.55, ratio 0.4, decay 0.6 s/m; wet 0.3, 0.4, 0.2 s/m. KSTRIP_ERROR_MODEL_LEFT_OUT if this build of the library has no laws.
 
-    friction: Coefficient of friction without slip [-], >= 0.
-    ratio: Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1; 1: friction is constant.
-    decay: How fast friction falls [s/m], >= 0; 0: friction is constant.
-    rolling_speed: Rolling speed [m/s], >= 0: sliding velocity is slip times rolling speed; 0: friction is constant.
-    slope_factor: Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1; 0 stands for 1, clean.
-    slide_factor: Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1; 0 stands for 1: the whole curve is stretched alike.
-    layer: Thickness of an elastic layer between the bodies divided by its shear modulus [m/Pa], >= 0; 0: none.
+    friction: Coefficient of friction without slip [-], >= 0, else KSTRIP_ERROR_FRICTION.
+    ratio: Friction at infinite sliding velocity divided by friction at zero velocity [-], 0 to 1, else KSTRIP_ERROR_FRICTION_RATIO; 1: friction is constant.
+    decay: How fast friction falls [s/m], >= 0, else KSTRIP_ERROR_FRICTION_DECAY; 0: it is constant.
+    rolling_speed: Rolling speed [m/s], >= 0, else KSTRIP_ERROR_NEGATIVE_SPEED; the sliding velocity is slip times rolling speed. 0: friction is constant.
+    slope_factor: Initial slope of the creep curve divided by that of clean bodies [-], 0 to 1, else KSTRIP_ERROR_SLOPE_FACTOR; 0 stands for 1, clean.
+    slide_factor: Stretch of the creep curve far in sliding divided by that at its start [-], 0 to 1, else KSTRIP_ERROR_SLIDE_FACTOR; 0 stands for 1: the whole curve is stretched alike.
+    layer: Thickness of an elastic layer between the bodies divided by its shear modulus [m/Pa], >= 0, else KSTRIP_ERROR_LAYER; 0: none.
     """
 
     _structure: ClassVar[str] = "friction"
@@ -291,7 +291,7 @@ class Derivatives(Value):
     jacobian: With respect to longitudinal, lateral, spin, row by row [N, N, N m per 1, 1, 1/m]; at kinks of a model a one-sided value.
     normal_force: With respect to the normal force at fixed a and b [-, -, m].
     load_through_hertz: With respect to the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m].
-    friction: With respect to the coefficient of friction, that of the law where there is one [N, N, N m].
+    friction: With respect to the coefficient of friction (of the law, if given) [N, N, N m].
     """
 
     _structure: ClassVar[str] = "derivatives"
@@ -388,7 +388,7 @@ class Motion(Value):
     slip_y: Velocity of the upper relative to the lower body along y [m/s].
     spin_rate: Angular velocity of the upper relative to the lower body about z [rad/s].
     rolling_speed: Rolling speed [m/s]: positive along x, negative backward, zero at standstill.
-    floor_speed: Floor of the speed [m/s], >= 0: creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2). 0 stands for 0.02.
+    floor_speed: Floor of the speed [m/s], >= 0, else KSTRIP_ERROR_FLOOR_SPEED; 0 stands for 0.02. Creepages are slip divided by sqrt(rolling_speed^2 + floor_speed^2).
     """
 
     _structure: ClassVar[str] = "motion"
@@ -416,11 +416,11 @@ class MotionDerivatives(Value):
     rolling_speed: With respect to the rolling speed at constant slip and spin rate [N, N, N m per m/s].
     normal_force: With respect to the normal force at fixed a and b [-, -, m].
     load_through_hertz: With respect to the normal force while a and b follow it as Hertz says [-, -, m].
-    friction: With respect to the coefficient of friction, that of the law where there is one [N, N, N m].
+    friction: With respect to the coefficient of friction (of the law, if given) [N, N, N m].
     ratio: With respect to the ratio of the law; 0 without one [N, N, N m].
     decay: With respect to the decay of the law; 0 without one [N, N, N m per s/m].
     slope_factor: With respect to the slope factor of the law, at 1 without one [N, N, N m].
-    slide_factor: With respect to the slide factor of the law; 0 where it is 0 in a law without a layer [N, N, N m].
+    slide_factor: With respect to the slide factor; 0 if it is 0 in a law without a layer [N, N, N m].
     layer: With respect to the layer of the law; 0 where there is none [N, N, N m per m/Pa].
     """
 
@@ -490,11 +490,11 @@ class PatchStrip(Value):
     """One strip of a patch, along the rolling direction. Its pressure is a half-ellipse in x, peak_pressure sqrt(1 - (x - centre_x)^2/half_length^2), and does not vary over its width.
 
     y: Centre line y [m].
-    width: Width [m], > 0.
-    half_length: Half length along x [m], > 0.
+    width: Width [m], > 0, else KSTRIP_ERROR_STRIP_SIZE.
+    half_length: Half length along x [m], > 0, else KSTRIP_ERROR_STRIP_SIZE.
     centre_x: Centre along x [m]; 0 for most contacts.
-    peak_pressure: Pressure at the centre [Pa], >= 0.
-    friction: Coefficient of friction [-], >= 0; every strip may have its own.
+    peak_pressure: Pressure at the centre [Pa], >= 0, else KSTRIP_ERROR_PRESSURE.
+    friction: Coefficient of friction [-] of this strip, >= 0, else KSTRIP_ERROR_FRICTION.
     """
 
     _structure: ClassVar[str] = "patch_strip"
@@ -518,15 +518,15 @@ class PatchStrip(Value):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class Patch(Value):
-    """A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(), kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it again. A patch whose members are all zero, except shear_modulus, carries no load. Where the distance of two neighbours is more than one and a half times that at which they touch, there is a gap: the strips on either side are a lobe of their own.
+    """A contact patch of any shape: its strips, in ascending y. Filled by kstrip_patch_from_contact(), kstrip_patch_from_strips() or kstrip_patch_from_profile(); the members may then be changed. All functions check it again. A patch whose members are all zero, except shear_modulus, carries no load. If the distance of two neighbours is more than one and a half times the distance at which they touch, there is a gap, and the strips on either side are separate contact regions (lobes).
 
-    strips: The strips; the first count are used.
-    shear_modulus: Combined shear modulus G [Pa], > 0.
-    poisson_ratio: Combined Poisson's ratio [-], 0 to 0.5.
-    area_scale: Factor [-], > 0, that makes the sum of the strips' areas the patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1.
+    strips: The strips; the first count are used. KSTRIP_ERROR_STRIP_ORDER if their y do not ascend, or if they overlap by more than half of the distance at which they touch.
+    shear_modulus: Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS.
+    poisson_ratio: Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
+    area_scale: Factor [-], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
     lever_scale: The same for the moment of the area about x, the sum of y^2 times area.
-    count: Number of strips, 0 to KSTRIP_PATCH_CAPACITY. None: no load.
-    mismatch: Mismatch kappa [-] of the two materials, as in kstrip_contact. Only kstrip_patch_from_contact() sets it; the other functions leave it 0, and the caller may set it.
+    count: Number of strips, 0 to KSTRIP_PATCH_CAPACITY, else KSTRIP_ERROR_PATCH_SIZE. None: no load.
+    mismatch: Mismatch kappa [-] of the two materials, as in kstrip_contact: KSTRIP_WARNING_MISMATCH if its size is above 0.25. Only kstrip_patch_from_contact() sets it; the caller may set it.
     """
 
     _structure: ClassVar[str] = "patch"
@@ -594,7 +594,7 @@ class PatchSummary(Value):
     normal_force: Normal force [N].
     friction_bound: Sum of friction times load over the strips [N]: no tangential force exceeds it.
     area: Contact area [m^2].
-    lobes: Number of lobes.
+    lobes: Number of contact regions.
     """
 
     _structure: ClassVar[str] = "patch_summary"
@@ -618,8 +618,8 @@ class WheelPosition(Value):
 
     lateral: y of the wheel's centre from the origin of the rail's profile [m], to the right. The centre is the point of the axle at y = 0 of the wheel's profile.
     vertical: Zero when the centre is one wheel radius above the rail's origin; positive downward [m].
-    yaw: Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1.
-    roll: Turn about x [rad]: positive from y to z, between -1 and 1. Yaw turns about the axis that roll has turned.
+    yaw: Turn about the vertical, which points down [rad]: positive from x to y, between -1 and 1, else KSTRIP_ERROR_ANGLE.
+    roll: Turn about x [rad]: positive from y to z, between -1 and 1, else KSTRIP_ERROR_ANGLE. Yaw turns about the axis that roll has turned.
     """
 
     _structure: ClassVar[str] = "wheel_position"
@@ -641,20 +641,20 @@ class WheelPosition(Value):
 class WheelPair(FrictionPlaces):
     """Materials and friction of a wheel and a rail, and options of the computation. Zero is the default of every member but wheel_radius and shear_modulus.
 
-    wheel_radius: Radius of the wheel at z = 0 of its profile [m], > 0.
-    shear_modulus: Combined shear modulus G [Pa], > 0.
-    poisson_ratio: Combined Poisson's ratio [-], 0 to 0.5.
-    friction: Coefficient of friction [-], >= 0; where friction_points is 0.
-    friction_y: Places on the rail, y of its profile [m], ascending.
-    friction_at: Coefficient of friction at these places [-], >= 0; linear between them, constant beyond.
-    friction_points: How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY; 0: friction is the same everywhere.
+    wheel_radius: Radius of the wheel at z = 0 of its profile [m], > 0, else KSTRIP_ERROR_ROLLING_RADIUS.
+    shear_modulus: Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS.
+    poisson_ratio: Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
+    friction: Coefficient of friction [-], >= 0, else KSTRIP_ERROR_FRICTION; if friction_points is 0.
+    friction_y: Places on the rail, y of its profile [m], ascending, else KSTRIP_ERROR_PROFILE.
+    friction_at: Coefficients there [-], as friction; linear between the places, constant beyond.
+    friction_points: How many of these places there are, at most KSTRIP_RAIL_FRICTION_CAPACITY, else KSTRIP_ERROR_CAPACITY; 0: friction is the same everywhere.
     left: 0: a right wheel; any other number: a left wheel. The profiles are always those of a right wheel; position, velocity and wrench are the wheel's own.
-    smoothing_length: Length over which the undeformed gap is smoothed [m], >= 0. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
-    strips: About how many strips a contact has: 4, 8, 16, 32 or 64; 0: 16.
+    smoothing_length: Length over which the undeformed gap is smoothed [m], >= 0, else KSTRIP_ERROR_SMOOTHING_LENGTH. It is always at least 2.5 steps of the wheel's profile. For rough profiles set it to 2 mm.
+    strips: Strips of a contact, about: 4, 8, 16, 32 or 64, else KSTRIP_ERROR_STRIP_COUNT; 0: 16.
     model: KSTRIP_MODEL_STRIP (the default here), KSTRIP_MODEL_TOTAL or one of the models of 1967.
-    normal_damping: Damping of the pressure d [s/m], >= 0 (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 where this factor is negative; the bound of friction changes with it.
-    floor_speed: Floor of the speed [m/s], >= 0, as in kstrip_motion; 0 stands for 0.02.
-    rail_radius: Radius of the rail at z = 0 of its profile [m], >= 0: that of a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.
+    normal_damping: Damping d [s/m], >= 0, else KSTRIP_ERROR_NORMAL_DAMPING (Hunt and Crossley): the pressure is multiplied by 1 + d times the velocity at which the surfaces approach each other, or by 0 if this factor is negative; the bound of friction changes with it.
+    floor_speed: Floor of the speed [m/s], as in kstrip_motion; 0 stands for 0.02, and a negative one is KSTRIP_ERROR_FLOOR_SPEED.
+    rail_radius: Radius of the rail at z = 0 of its profile [m], >= 0, else KSTRIP_ERROR_ROLLING_RADIUS: of a roller rig or of the lower of two discs, whose axis is along y; 0: a straight rail.
     rail_ahead: x of the roller's axis from the wheel's centre [m]; not used for a straight rail.
     rail_speed: Speed at which the surface of the rail moves backward under the wheel [m/s], that of a roller at rail_radius: a wheel whose centre is at rest rolls on it like a wheel that moves forward on a rail at rest.
     """
@@ -700,14 +700,14 @@ class WheelPair(FrictionPlaces):
 
 @dataclass(slots=True, init=False, repr=False, eq=False)
 class WheelContact(Value):
-    """One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the rail.
+    """One contact of a wheel. Its frame (x, t, n): forward, across the surface, into the rail.
 
     origin: Point where the pressure acts, on the wheel's undeformed surface, from the wheel's centre [m], axes of the track.
     angle: Angle of the contact plane [rad]: mean of the strips' angles, weighted with load. For a left wheel it is that of the mirrored right wheel.
-    angle_range: Range of the angle over the patch [rad]; above 0.52 the status is KSTRIP_WARNING_ANGLE_RANGE.
+    angle_range: Range of the angle over the patch [rad]; above 0.52 KSTRIP_WARNING_ANGLE_RANGE.
     radius: Distance of the origin from the axle [m].
-    normal_force: Load of the strips [N].
-    share: Factor of load and forces in the sum over the contacts [-]: 1, except for contacts 5 to 7 mm apart, which count partly by themselves and partly as one contact.
+    normal_force: Load of the strips [N], >= 0, else KSTRIP_ERROR_NORMAL_FORCE.
+    share: Factor of load and forces in the sum over the contacts [-], >= 0, else KSTRIP_ERROR_SHARE: 1, except for contacts 5 to 7 mm apart, whose result blends separate contacts with a merged one.
     approach: Overlap of the undeformed, smoothed surfaces where it is deepest [m].
     stiffness: Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].
     along: Length on the rail at y = 0 of the patch [m].
@@ -716,11 +716,11 @@ class WheelContact(Value):
     slip_y: slip_y of kstrip_motion.
     spin_rate: spin_rate of kstrip_motion.
     rolling_speed: rolling_speed of kstrip_motion.
-    normal_damping: normal_damping of kstrip_wheel_pair.
-    at_rest: kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted with load, with the floor of the speed.
+    normal_damping: normal_damping of kstrip_wheel_pair; a negative one is KSTRIP_ERROR_NORMAL_DAMPING.
+    at_rest: kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted with load, with the floor of the speed; a negative floor is KSTRIP_ERROR_FLOOR_SPEED.
     patch: The strips; y along the rail's surface, x forward from the origin.
     rail_axis: x and z of a roller's axis from the wheel's centre [m]; 0 and 0 for a straight rail.
-    rail_rate: Rate of a roller about its axis [rad/s]: rail_speed over rail_radius; 0 for a straight rail.
+    rail_rate: Rate of a roller about its axis [rad/s]: rail_speed/rail_radius; 0: a straight rail.
     strip_rail_speed: Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller rail_rate times the radius of its own undeformed surface there.
     strip_y: y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of the track; of a left wheel that of the mirrored right wheel.
     strip_z: z of each strip [m].
@@ -796,7 +796,7 @@ class WheelVelocity(Value):
     forward: Velocity of the wheel's centre along x [m/s].
     lateral: Velocity of the centre along y [m/s].
     vertical: Velocity of the centre along z, down [m/s].
-    roll: Rate about the wheelset's own x [rad/s]. These axes yaw and roll with the wheelset but do not spin.
+    roll: Rate about the wheelset's own x [rad/s]; these axes do not spin with the axle.
     pitch: Rate about the axle [rad/s]: about minus forward divided by radius.
     yaw: Rate about the wheelset's own z [rad/s].
     """
@@ -879,8 +879,8 @@ class StripPower(Value):
     normal_force: Load [N], with the share of the contact and the factor of the damping.
     fx: Longitudinal force on the rail [N], with the share of the contact.
     fy: Force on the rail along its surface across the rolling direction [N], with the share of the contact; of a left wheel that of the mirrored right wheel.
-    slip: Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load.
-    power: Frictional power [W], with the share of the contact.
+    slip: Mean sliding velocity [m/s]: power divided by the coefficient of friction and the load, and below zero together with it.
+    power: Frictional power [W], with the share of the contact. That of a strip that hardly slides may be a little below zero: -0.06 % of the power of the wheel if it rolls, -0.4 % if it stands.
     """
 
     _structure: ClassVar[str] = "strip_power"
@@ -934,8 +934,8 @@ class Curve(Value):
     """A curve that a vehicle runs through: the axes of the track move forward and turn with it.
 
     speed: Speed along the middle of the track, at the height of the wheelset's centre [m/s].
-    curvature: One divided by the radius of the curve [1/m]: positive to the right, 0: straight.
-    cant: Angle of cant [rad]: positive where the right rail is lower, between -1 and 1. In a curve to the right it is positive.
+    curvature: One divided by the radius of the curve [1/m]: positive to the right, 0: straight. KSTRIP_WARNING_CURVATURE if its size is above 0.2.
+    cant: Angle of cant [rad]: positive where the right rail is lower, between -1 and 1, else KSTRIP_ERROR_ANGLE. In a curve to the right it is positive.
     gravity: Acceleration of gravity [m/s^2]; 0: 9.80665.
     """
 
@@ -1024,7 +1024,7 @@ class WheelsetDerivatives(Value):
 class WheelsetByPosition(Value):
     """Derivatives of the same ten forces with respect to the positions of the ten degrees of freedom, at constant velocities.
 
-    position: With respect to the positions [N, N m per m, rad]; the columns of forward and pitch are zero.
+    position: With respect to the positions [N, N m per m, rad]; forward and pitch columns are zero.
     """
 
     _structure: ClassVar[str] = "wheelset_by_position"
@@ -1067,7 +1067,7 @@ class FrictionFit(Value):
 
     law: The law.
     standard_errors: Standard errors of its members, from the remaining differences between points and law; 0 for a member that was not fitted or that ended at a bound.
-    residual: Root of the weighted mean of the squared differences between measured and computed forces [N].
+    residual: Root of the weighted mean square difference between measured and computed forces [N].
     steps: Largest number of times that all forces were computed from one start.
     status_detail: The status of this result: 0 or one of the KSTRIP_WARNING constants.
     """

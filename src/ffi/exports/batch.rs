@@ -12,14 +12,12 @@ use core::mem::MaybeUninit;
 
 /// kstrip_evaluate() for many contacts: the same results, bit for bit.
 ///
-/// Where the processor has AVX several contacts are solved in parallel. All inputs are checked
-/// before anything is written: if one is bad its status is returned, no output is touched, and
-/// first_bad receives its index. A lost contact is not bad: its results are zero.
+/// On processors with AVX several contacts are solved in parallel. All inputs are checked before
+/// anything is written: if one is bad its status is returned, no output is touched, and first_bad
+/// receives its index. A lost contact is not bad: its results are zero.
 ///
 /// With more than one contact an output's stride is at least the size of the output, forward or
-/// backward, and every stride is a multiple of the alignment of its type: anything else is
-/// KSTRIP_ERROR_STRIDE. Whether the pointers themselves are aligned is not checked: misaligned ones
-/// are undefined behaviour, as in C.
+/// backward, and every stride is a multiple of the alignment of its type.
 ///
 /// @param inputs          contacts, creepages, falling friction.
 /// @param count           how many; 0 is allowed.
@@ -27,8 +25,9 @@ use core::mem::MaybeUninit;
 /// @param outputs         where the outputs go; they must not overlap the inputs or each other.
 /// @param[out] first_bad  receives the index of the first bad contact, or count where none is bad;
 ///                        NULL: not needed.
-/// @return KSTRIP_OK, the most serious warning, or the first error, as kstrip_evaluate();
-///         KSTRIP_ERROR_STRIDE.
+/// @return as kstrip_evaluate(): the error of the first bad contact, or the most serious warning;
+///         KSTRIP_ERROR_STRIDE (a stride is no multiple of the alignment, or that of an output is
+///         smaller than the output).
 #[unsafe(export_name = symbol!("kstrip_evaluate_batch"))]
 pub unsafe extern "C" fn kstrip_evaluate_batch(
     inputs: Option<&BatchInputs<F>>, count: u32, options: Option<&kstrip_options>,

@@ -15,8 +15,7 @@ use core::mem::MaybeUninit;
 /// @param lower, upper    the two bodies.
 /// @param[out] combined   receives the constants that kstrip_contact_from_hertz() and
 ///                        kstrip_contact take.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
-///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; statuses of kstrip_material.
 #[unsafe(export_name = symbol!("kstrip_material_combine"))]
 pub extern "C" fn kstrip_material_combine(
     lower: Option<&Material<F>>, upper: Option<&Material<F>>,
@@ -27,20 +26,17 @@ pub extern "C" fn kstrip_material_combine(
 
 /// The contact of two bodies that a load presses together (Hertz).
 ///
-/// Relative error below 1e-12 (5e-6 in single precision) for axis ratios down to 1e-4; a handful of
-/// iterations, at most 12.
-///
 /// @param radii           curvatures of both bodies.
 /// @param pair            combined constants.
 /// @param load            N [N]; not positive: the contact is lost, a = b = normal_force = 0.
 /// @param friction        coefficient of friction [-], >= 0.
 /// @param[out] contact    receives the contact.
 /// @param[out] ellipse    receives pressure, approach and shape; NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_FRICTION,
-///         KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_CONFORMAL;
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
-///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_CURVATURE,
-///         KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; statuses of kstrip_radii; KSTRIP_ERROR_MODULUS and
+///         KSTRIP_ERROR_POISSON_RATIO (pair is outside the ranges of kstrip_material);
+///         KSTRIP_ERROR_FRICTION (friction < 0); warnings of kstrip_contact (about the contact that
+///         is found); KSTRIP_WARNING_CONFORMAL (a semi-axis is above 0.3 of the smaller radius in
+///         its direction).
 #[unsafe(export_name = symbol!("kstrip_contact_from_hertz"))]
 pub extern "C" fn kstrip_contact_from_hertz(
     radii: Option<&Radii<F>>, pair: Option<&CombinedMaterial<F>>, load: F, friction: F,
@@ -87,8 +83,9 @@ pub extern "C" fn kstrip_contact_from_approach(
 /// @param axis_ratio      a/b [-], > 0; a along the rolling direction.
 /// @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
 /// @param[out] coefficients  receives four numbers: C11, C22, C23, C33.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS
-///         (axis_ratio), KSTRIP_ERROR_POISSON_RATIO.
+/// @return KSTRIP_OK; KSTRIP_ERROR_NULL (coefficients), KSTRIP_ERROR_NOT_FINITE (an argument is
+///         infinite or NaN), KSTRIP_ERROR_SEMI_AXIS (axis_ratio <= 0), KSTRIP_ERROR_POISSON_RATIO
+///         (outside 0 to 0.5).
 #[unsafe(export_name = symbol!("kstrip_linear_coefficients"))]
 pub unsafe extern "C" fn kstrip_linear_coefficients(
     axis_ratio: F, poisson_ratio: F, coefficients: *mut F,

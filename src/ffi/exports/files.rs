@@ -27,10 +27,15 @@ use core::mem::MaybeUninit;
 /// @param[out] count      receives the number of points.
 /// @param[out] notes      receives findings and changes, a sum of KSTRIP_NOTE_; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_LINE,
-///         KSTRIP_ERROR_FILE_COLUMNS, KSTRIP_ERROR_FILE_COUNT, KSTRIP_ERROR_FILE_UNITS,
-///         KSTRIP_ERROR_FILE_MISSING, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than
-///         four points), KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_SCATTER (a closed outline).
+///         KSTRIP_ERROR_NULL (text, y, z or count); KSTRIP_ERROR_FILE_FORMAT (format is no sum of
+///         these constants); KSTRIP_ERROR_FILE_LINE (a line is no point, keyword or title of the
+///         format); KSTRIP_ERROR_FILE_COLUMNS (more than two columns, and no names);
+///         KSTRIP_ERROR_FILE_COUNT (fewer points than the header promises); KSTRIP_ERROR_FILE_UNITS
+///         (a unit is not positive, or the numbers are too large for millimetres);
+///         KSTRIP_ERROR_FILE_MISSING (a number is far from all others); KSTRIP_ERROR_NOT_FINITE (a
+///         number is infinite, NaN or immense); KSTRIP_ERROR_PROFILE (fewer than four points);
+///         KSTRIP_ERROR_CAPACITY (more points than capacity); KSTRIP_ERROR_SCATTER (the points are
+///         a closed outline).
 #[unsafe(export_name = symbol!("kstrip_read_profile"))]
 pub unsafe extern "C" fn kstrip_read_profile(
     text: *const c_char, length: u32, format: u32, y: *mut F, z: *mut F, capacity: u32,
@@ -62,9 +67,11 @@ pub unsafe extern "C" fn kstrip_read_profile(
 /// @param[out] turned_y, turned_z  receive the points [m]; not y and z themselves.
 /// @param[out] taken_unit, notes  receive the unit, and a sum of KSTRIP_NOTE_; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_GUESS (a note is a doubt: check notes);
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_CAPACITY (2^32 points or more), KSTRIP_ERROR_PROFILE
-///         (no profile, or fewer than four points), KSTRIP_ERROR_NOT_FINITE,
-///         KSTRIP_ERROR_FILE_FORMAT, KSTRIP_ERROR_FILE_UNITS.
+///         KSTRIP_ERROR_NULL (a required array); KSTRIP_ERROR_CAPACITY (2^32 points or more);
+///         KSTRIP_ERROR_PROFILE (no profile, or fewer than four points in one);
+///         KSTRIP_ERROR_NOT_FINITE (a number is infinite, NaN or immense); KSTRIP_ERROR_FILE_FORMAT
+///         (format is no sum of the constants); KSTRIP_ERROR_FILE_UNITS (unit < 0, or 0 and the
+///         numbers are too large for millimetres).
 #[unsafe(export_name = symbol!("kstrip_orient_profiles"))]
 pub unsafe extern "C" fn kstrip_orient_profiles(
     y: *const F, z: *const F, counts: *const u32, profile_count: u32, format: u32, unit: F,
@@ -112,9 +119,8 @@ fn zeroed(list: &mut [MaybeUninit<F>]) -> &mut [F] {
 /// @param first, second   prepared profiles of the slices before and after the place.
 /// @param share           0 at the place of the first to 1 at that of the second.
 /// @param[out] between    receives the profile; it may be one of the slices.
-/// @return KSTRIP_OK or a warning of kstrip_prepare_profile(); KSTRIP_ERROR_NULL,
-///         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED, KSTRIP_ERROR_SLICE_SHARE, or an
-///         error of kstrip_prepare_profile().
+/// @return as kstrip_prepare_profile() for the points between the slices; KSTRIP_ERROR_NOT_PREPARED
+///         (first or second); KSTRIP_ERROR_SLICE_SHARE (share is outside 0 to 1).
 #[unsafe(export_name = symbol!("kstrip_profile_between"))]
 pub unsafe extern "C" fn kstrip_profile_between(
     first: *const PreparedProfile<F>, second: *const PreparedProfile<F>, share: F,

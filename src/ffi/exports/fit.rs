@@ -13,16 +13,13 @@ use core::mem::MaybeUninit;
 
 /// The law of friction that comes nearest to a measured creep curve.
 ///
-/// The sum of the squared differences between measured and computed forces, each times the weight
-/// of its point, is minimised by at most 80 damped Gauss-Newton steps with exact derivatives;
-/// measured curves need 6 to 20. Each step costs one solution with derivatives for every point. The
-/// search begins at start and at nine other places, unless the points are met exactly, and the best
-/// law is returned, after up to 1000 more steps if 80 do not reach it. Members of the law that are
-/// not fitted keep the values of start. A fitted member that is 0 in start begins at a usual value;
-/// falling friction needs the rolling speed in start. Bounds are those of the law: a member that
-/// ends at its bound has a standard error of 0, and the status is KSTRIP_WARNING_FIT_BOUND. If
-/// another law has a residual that is at most 1 per cent larger, the status is
-/// KSTRIP_WARNING_SECOND_MINIMUM.
+/// It minimises the sum of the squared differences between measured and computed forces, each times
+/// the weight of its point. The search begins at start and at other places, unless the points are
+/// met exactly. Members of the law that are not fitted keep the values of start. A fitted member
+/// that is 0 in start begins at a usual value; falling friction needs the rolling speed in start.
+/// Bounds are those of the law: a member that ends at its bound has a standard error of 0, and the
+/// status is KSTRIP_WARNING_FIT_BOUND. If another law has a residual that is at most 1 per cent
+/// larger, the status is KSTRIP_WARNING_SECOND_MINIMUM.
 ///
 /// Points that lie on one part of the curve do not determine each parameter. The status is then
 /// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
@@ -37,11 +34,13 @@ use core::mem::MaybeUninit;
 /// @param[out] fit        receives the law and its standard errors.
 /// @param[out] first_bad  receives the index of the first bad point, or count where none is bad;
 ///                        NULL: not requested.
-/// @return KSTRIP_OK, KSTRIP_WARNING_UNDETERMINED, KSTRIP_WARNING_NOT_CONVERGED,
-///         KSTRIP_WARNING_SECOND_MINIMUM, KSTRIP_WARNING_FIT_BOUND, KSTRIP_WARNING_PER_CENT;
-///         KSTRIP_ERROR_FEW_POINTS, KSTRIP_ERROR_FIT_PARAMETERS, KSTRIP_ERROR_MEASURED,
-///         KSTRIP_ERROR_WEIGHT, KSTRIP_ERROR_UNEXPLAINED (a lost contact), or an error of
-///         kstrip_evaluate().
+/// @return usual statuses; errors of kstrip_contact, kstrip_friction (start), kstrip_measured_force
+///         and kstrip_options; KSTRIP_WARNING_FIT_BOUND, KSTRIP_WARNING_SECOND_MINIMUM and
+///         KSTRIP_WARNING_UNDETERMINED (see above); KSTRIP_WARNING_NOT_CONVERGED (the last step
+///         still changed the law); KSTRIP_WARNING_PER_CENT (the slope factor is below 0.05);
+///         KSTRIP_ERROR_FEW_POINTS (fewer forces than parameters); KSTRIP_ERROR_FIT_PARAMETERS
+///         (parameters is 0 or no sum of the constants); KSTRIP_ERROR_UNEXPLAINED (the contact is
+///         lost).
 #[unsafe(export_name = symbol!("kstrip_fit_friction"))]
 pub unsafe extern "C" fn kstrip_fit_friction(
     contact: Option<&Contact<F>>, points: *const MeasuredForce<F>, count: u32,

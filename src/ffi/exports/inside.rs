@@ -12,16 +12,10 @@ use crate::number::are_finite;
 use crate::status::{Error, kstrip_status};
 use core::mem::MaybeUninit;
 
-/// Pressure, traction, slip and state over a grid; one point is a grid of one.
+/// Pressure, traction, slip and state over a grid; one point is a grid of one. Integrals of
+/// traction and dissipation are near the forces and the power of kstrip_evaluate().
 ///
-/// With KSTRIP_MODEL_STRIP the tractions add up to the forces of kstrip_evaluate() within 0.1 of
-/// friction times load, and the dissipation to its power within 0.02 in the mean and 0.4 at most of
-/// friction times load times rigid slip, under a law and without; with the models of 1967 within
-/// 0.01, and 0.002 and 0.05.
-///
-/// @param contact         ellipse, load, material, friction.
-/// @param creepage        motion.
-/// @param friction        falling friction, layer; NULL: constant, none.
+/// @param contact, creepage, friction  as in kstrip_evaluate().
 /// @param options         a model with strips; NULL and KSTRIP_MODEL_DEFAULT: KSTRIP_MODEL_STRIP.
 /// @param x, columns      array of x [m] from the centre of the ellipse, and its size; outside is
 ///                        allowed.
@@ -29,7 +23,8 @@ use core::mem::MaybeUninit;
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].
 /// @param capacity        size of points, at least rows * columns.
-/// @return as kstrip_evaluate(); KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL.
+/// @return as kstrip_evaluate(); KSTRIP_ERROR_CAPACITY (capacity is below rows * columns);
+///         KSTRIP_ERROR_NOT_IN_MODEL (KSTRIP_MODEL_TOTAL and KSTRIP_MODEL_LINEAR have no field).
 #[unsafe(export_name = symbol!("kstrip_field"))]
 pub unsafe extern "C" fn kstrip_field(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,

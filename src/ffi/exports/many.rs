@@ -23,8 +23,8 @@ use crate::wheelset::settle::WheelsetLoads;
 /// Several threads may each compute a part, with a workspace of their own.
 ///
 /// Pairs, positions, velocities and friction are arrays, in which the next element is a stride
-/// away; with a stride of 0 all wheels have the same one. A wheel that has no result does not stop
-/// the others: its status says why, and its other outputs are untouched.
+/// away; with a stride of 0 all wheels have the same one. A wheel without a result does not stop
+/// the others; its status has the reason, and its other outputs are untouched.
 ///
 /// @param rail, wheel, workspace  as in kstrip_wheel_on_rail(), one for all wheels.
 /// @param count           number of wheels; 0 is allowed.
@@ -46,9 +46,9 @@ use crate::wheelset::settle::WheelsetLoads;
 ///                        KSTRIP_CONTACTS_CAPACITY.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
 ///                        NULL: not needed.
-/// @return the first negative status of a wheel, otherwise the most serious warning or KSTRIP_OK;
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_STRIDE, KSTRIP_ERROR_CAPACITY (room), without a status
-///         of any wheel.
+/// @return as kstrip_wheel_on_rail(): the first error of a wheel, or the most serious warning;
+///         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
+///         of the alignment), KSTRIP_ERROR_CAPACITY (room is above KSTRIP_CONTACTS_CAPACITY).
 #[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
 pub unsafe extern "C" fn kstrip_wheels_on_rails(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
@@ -121,7 +121,9 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 /// @param[out] verticals  array of count elements; receives the vertical positions [m].
 /// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
 ///                        NULL: not needed.
-/// @return as kstrip_wheels_on_rails().
+/// @return as kstrip_height_for_load(): the first error of a wheel, or the most serious warning;
+///         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
+///         of the alignment).
 #[unsafe(export_name = symbol!("kstrip_heights_for_loads"))]
 pub unsafe extern "C" fn kstrip_heights_for_loads(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
@@ -168,7 +170,9 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
 /// @param[out] derivatives, by_position  arrays of count elements; NULL: not needed.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_on_track();
 ///                        NULL: not needed.
-/// @return as kstrip_wheels_on_rails().
+/// @return as kstrip_wheelset_on_track(): the first error of an element, or the most serious
+///         warning; before any element KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE
+///         (no multiple of the alignment).
 #[unsafe(export_name = symbol!("kstrip_wheelsets_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelsets_on_track(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, count: u32,
@@ -212,7 +216,7 @@ pub unsafe extern "C" fn kstrip_wheelsets_on_track(
 /// @param[out] forces     array of count elements; NULL: not needed.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheelset_settle();
 ///                        NULL: not needed.
-/// @return as kstrip_wheels_on_rails().
+/// @return as kstrip_wheelset_settle(), and before any element as kstrip_wheelsets_on_track().
 #[unsafe(export_name = symbol!("kstrip_wheelsets_settle"))]
 pub unsafe extern "C" fn kstrip_wheelsets_settle(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, count: u32,

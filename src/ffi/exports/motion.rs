@@ -17,8 +17,7 @@ use core::mem::MaybeUninit;
 /// @param lower, upper    surface velocities at the centre of the contact, in one frame.
 /// @param rolling_speed   V [m/s], > 0; x points in the rolling direction.
 /// @param[out] creepage   receives the creepages.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_ROLLING_SPEED,
-///         KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; KSTRIP_ERROR_ROLLING_SPEED (rolling_speed <= 0).
 #[unsafe(export_name = symbol!("kstrip_creepage_from_velocities"))]
 pub extern "C" fn kstrip_creepage_from_velocities(
     lower: Option<&SurfaceVelocity<F>>, upper: Option<&SurfaceVelocity<F>>, rolling_speed: F,
@@ -35,7 +34,7 @@ pub extern "C" fn kstrip_creepage_from_velocities(
 /// @param contact         ellipse, load, material, friction.
 /// @param creepage        its motion.
 /// @param[out] parameters  receives xi, eta and psi [-].
-/// @return KSTRIP_OK or the errors of kstrip_solve() for the same contact and creepage.
+/// @return usual statuses; errors of kstrip_contact.
 #[unsafe(export_name = symbol!("kstrip_parameters_from_creepage"))]
 pub extern "C" fn kstrip_parameters_from_creepage(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
@@ -60,8 +59,7 @@ pub extern "C" fn kstrip_parameters_from_creepage(
 /// @param contact         ellipse, load, material, friction.
 /// @param parameters      xi, eta and psi [-].
 /// @param[out] creepage   receives the creepage.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW or the
-///         errors of kstrip_solve() for the same contact.
+/// @return usual statuses; errors of kstrip_contact.
 #[unsafe(export_name = symbol!("kstrip_creepage_from_parameters"))]
 pub extern "C" fn kstrip_creepage_from_parameters(
     contact: Option<&Contact<F>>, parameters: Option<&KalkerParameters<F>>,

@@ -17,7 +17,7 @@ use core::mem::MaybeUninit;
 
 /// The patch of two profiles under a load, or at an approach.
 ///
-/// Zones of contact become lobes, which begin with zero width, grow and merge. The results are
+/// Contact regions begin with zero width, grow and merge. The results are
 /// continuous in distances and approach, and in the load unless it falls with the approach (rough
 /// profiles). The stiffness is the derivative of the computed load. The approach counts from the
 /// lowest point of the smoothed profile: it has a kink where another point becomes the lowest.
@@ -26,11 +26,9 @@ use core::mem::MaybeUninit;
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.
 /// @param[out] patch      receives the patch.
 /// @param[out] result     receives approach, peak pressure and load; NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
-///         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE, KSTRIP_ERROR_ROLLING_RADIUS,
-///         KSTRIP_ERROR_NORMAL_FORCE, KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO,
-///         KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_STRIP_COUNT,
-///         KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; statuses of kstrip_profile and kstrip_profile_contact;
+///         KSTRIP_WARNING_PROFILE_END (a contact region ends with the profile);
+///         KSTRIP_WARNING_ROUGH (a contact has more local minima than its strips resolve).
 #[unsafe(export_name = symbol!("kstrip_patch_from_profile"))]
 pub unsafe extern "C" fn kstrip_patch_from_profile(
     profile: Option<&ProfilePoints<F>>, contact: Option<&ProfileOptions<F>>,
@@ -86,10 +84,10 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
 /// @param shear_modulus   combined shear modulus G [Pa], > 0.
 /// @param poisson_ratio   combined Poisson's ratio [-], 0 to 0.5.
 /// @param[out] patch      receives the patch.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_MODULUS,
-///         KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION, KSTRIP_ERROR_OVERFLOW,
-///         KSTRIP_ERROR_STRIP_SIZE, KSTRIP_ERROR_PRESSURE, KSTRIP_ERROR_STRIP_ORDER (overlap),
-///         KSTRIP_ERROR_PATCH_SIZE.
+/// @return usual statuses; statuses of kstrip_patch_strip; KSTRIP_ERROR_MODULUS (shear_modulus <=
+///         0); KSTRIP_ERROR_POISSON_RATIO (outside 0 to 0.5); KSTRIP_ERROR_STRIP_ORDER (strips
+///         overlap by more than that); KSTRIP_ERROR_PATCH_SIZE (count is above
+///         KSTRIP_PATCH_CAPACITY).
 #[unsafe(export_name = symbol!("kstrip_patch_from_strips"))]
 pub unsafe extern "C" fn kstrip_patch_from_strips(
     strips: *const PatchStrip<F>, count: u32, shear_modulus: F, poisson_ratio: F,
@@ -103,15 +101,15 @@ pub unsafe extern "C" fn kstrip_patch_from_strips(
 /// The strips of a contact's ellipse, at the places of KSTRIP_MODEL_STRIP. A lost contact has no
 /// strips.
 ///
-/// kstrip_patch_evaluate() with KSTRIP_MODEL_STRIP gives the result of kstrip_solve() with that
-/// model and the same strip count: with eight strips or more to rounding, with four to 1 %. The
-/// models of 1967 differ by a part of the force of one strip.
+/// With KSTRIP_MODEL_STRIP and eight strips or more kstrip_patch_evaluate() has the result of
+/// kstrip_solve() to rounding. For the models of 1967 the difference is less than the force of one
+/// strip.
 ///
 /// @param contact         the loaded contact.
 /// @param options         strip count; its model is checked and otherwise ignored. NULL for the
 ///                        defaults.
 /// @param[out] patch      receives the patch.
-/// @return KSTRIP_OK, or one of the errors of kstrip_solve() for the contact and the options.
+/// @return usual statuses; errors of kstrip_contact and kstrip_options.
 #[unsafe(export_name = symbol!("kstrip_patch_from_contact"))]
 pub extern "C" fn kstrip_patch_from_contact(
     contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
@@ -120,12 +118,11 @@ pub extern "C" fn kstrip_patch_from_contact(
     write_result(patch, || Patch::from_ellipse(given(contact)?, for_strips(options)?.strips))
 }
 
-/// Load, friction bound, area and lobes of a patch; checks it without solving.
+/// Load, friction bound, area and contact regions of a patch; checks it without solving.
 ///
 /// @param patch           the patch.
 /// @param[out] summary    receives the sums.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL or one of the errors of kstrip_patch_from_strips(), here
-///         KSTRIP_ERROR_STRIP_ORDER also when the strips do not ascend.
+/// @return usual statuses; statuses of kstrip_patch.
 #[unsafe(export_name = symbol!("kstrip_patch_summarize"))]
 pub extern "C" fn kstrip_patch_summarize(
     patch: Option<&Patch<F>>, summary: Option<&mut MaybeUninit<PatchSummary<F>>>,
@@ -146,21 +143,20 @@ pub extern "C" fn kstrip_patch_summarize(
 ///
 /// The creepage is that at the origin of the patch's coordinates, x = y = 0; the creepages of a
 /// strip are (longitudinal - spin y, lateral + spin centre_x), and moments are about the origin.
-/// |F| is at most the sum of friction times load over the strips. For KSTRIP_MODEL_STRIP an ellipse
-/// replaces the zone of a strip: the strips that no gap and no neck divides from it, with their
-/// load and their mean lengths, pressures and friction. A strip is as flexible as one of the
-/// ellipse, or more if it is long for its pressure. KSTRIP_MODEL_TOTAL takes the forces of these
-/// ellipses as they are. It is cheap and smooth, and has no strips and no share in adhesion.
+/// |F| is at most the sum of friction times load over the strips. With KSTRIP_MODEL_STRIP the
+/// flexibilities of a strip are those of an equivalent ellipse, fitted to the contact region that
+/// contains the strip, or larger if the strip is long for its pressure. KSTRIP_MODEL_TOTAL adds the
+/// forces of these ellipses. It is cheap and smooth, and has no strips and no share in adhesion.
 ///
-/// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL follow widths, gaps and necks without a
-/// jump, as long as all strips have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967
-/// jumps, by up to the force of one strip, where a strip with spin stops adhering, and that of
+/// The forces of KSTRIP_MODEL_STRIP and KSTRIP_MODEL_TOTAL are continuous in the widths and places
+/// of strips that have one width or are narrower. That of KSTRIP_MODEL_STRIP_1967 jumps by up to
+/// the force of one strip if a strip with spin stops adhering; that of
 /// KSTRIP_MODEL_STRIP_1967_CONTINUOUS has a kink there.
 ///
 /// For the derivatives with respect to load, all pressures grow by one factor; through Hertz, all
-/// lengths grow with the load's cube root as well. For those with respect to friction, that of all
-/// strips grows by one factor, and the derivative is by its mean. If friction is given, the factor
-/// (1 - ratio) exp(-decay w) + ratio multiplies that of all strips, and the law's own coefficient
+/// lengths grow with the load's cube root as well. The derivatives with respect to friction are
+/// those with respect to the mean coefficient. If friction is given, the factor (1 - ratio)
+/// exp(-decay w) + ratio multiplies the coefficients of all strips, and the law's own coefficient
 /// is ignored. outputs->strips receives patch->count strips.
 ///
 /// @param patch           the patch.
@@ -170,10 +166,11 @@ pub extern "C" fn kstrip_patch_summarize(
 ///                        models of 1967; NULL for the default. The strip count is checked and
 ///                        otherwise ignored.
 /// @param outputs         where the outputs go.
-/// @return as kstrip_evaluate(); KSTRIP_WARNING_RANGE (of a zone's ellipse);
+/// @return usual statuses; statuses of kstrip_patch, kstrip_friction and kstrip_options;
+///         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+///         kstrip_evaluate(); KSTRIP_ERROR_CAPACITY (outputs->capacity is below patch->count);
 ///         KSTRIP_ERROR_NOT_IN_MODEL for KSTRIP_MODEL_LINEAR (the linear theory of a patch is its
-///         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL, or one of the
-///         errors of kstrip_patch_summarize().
+///         derivatives at zero creepage) and for the strips of KSTRIP_MODEL_TOTAL.
 #[unsafe(export_name = symbol!("kstrip_patch_evaluate"))]
 pub unsafe extern "C" fn kstrip_patch_evaluate(
     patch: Option<&Patch<F>>, creepage: Option<&Creepage<F>>, friction: Option<&SlipFriction<F>>,
@@ -212,9 +209,7 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
 /// The tractions add up to the forces of kstrip_patch_evaluate(), and the dissipation to its power,
 /// as those of kstrip_field() do.
 ///
-/// @param patch           the patch.
-/// @param creepage        motion at the origin.
-/// @param friction        as in kstrip_patch_evaluate(); NULL: constant, no layer.
+/// @param patch, creepage, friction  as in kstrip_patch_evaluate().
 /// @param options         as in kstrip_patch_evaluate(), but not KSTRIP_MODEL_TOTAL; NULL for the
 ///                        default.
 /// @param x, columns      array of x [m] and its size; places outside of the patch are allowed.
@@ -222,7 +217,8 @@ pub unsafe extern "C" fn kstrip_patch_evaluate_strips(
 /// @param[out] points     array of rows * columns elements; the point (x[i], y[j]) is
 ///                        points[j * columns + i].
 /// @param capacity        size of points, at least rows * columns.
-/// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY.
+/// @return as kstrip_patch_evaluate(); KSTRIP_ERROR_CAPACITY (capacity is below rows * columns);
+///         KSTRIP_ERROR_NOT_IN_MODEL also for KSTRIP_MODEL_TOTAL.
 #[unsafe(export_name = symbol!("kstrip_patch_field"))]
 pub unsafe extern "C" fn kstrip_patch_field(
     patch: Option<&Patch<F>>, creepage: Option<&Creepage<F>>, friction: Option<&SlipFriction<F>>,

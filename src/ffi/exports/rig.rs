@@ -16,18 +16,17 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// The search has a fixed largest number of solutions. Where the contact adheres (less than a
-/// twentieth of the friction is used, or the force is larger than linear theory gives) the status
-/// is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the used friction |force|/load, a lower
-/// bound. Where spin opposes the creepage, more than one friction may explain the force: the status
-/// is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the smallest. KSTRIP_MODEL_TOTAL suits
-/// best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a first strip begins to adhere. A jump
-/// across the measured force counts there as one of several solutions, and is returned only with
-/// KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an estimate may miss a friction, most
-/// often if the force is nearly zero.
+/// If the contact adheres (less than a twentieth of the friction is used, or the force is larger
+/// than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the
+/// used friction |force|/load, a lower bound. If spin opposes the creepage, more than one friction
+/// may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
+/// smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
+/// first strip begins to adhere. A jump across the measured force is one of several solutions
+/// there, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an
+/// estimate may miss a friction, most often if the force is nearly zero.
 ///
 /// Under a law the result is its friction, without slip: a force that was computed with the law
-/// gives the law's coefficient. If the actual law is another one, each creepage gives another
+/// has the law's coefficient. If the actual law is another one, each creepage has another
 /// friction; kstrip_fit_friction() finds the law.
 ///
 /// @param contact         ellipse, load, material; its friction is ignored.
@@ -39,10 +38,11 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 ///                        counts.
 /// @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
 /// @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
-/// @return as kstrip_solve(); KSTRIP_WARNING_FRICTION_AT_LEAST, KSTRIP_WARNING_SEVERAL_FRICTIONS,
-///         KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_NOT_IN_MODEL, KSTRIP_ERROR_MEASURED,
-///         KSTRIP_ERROR_UNEXPLAINED (a lost contact too), or an error of the law as
-///         kstrip_evaluate().
+/// @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_FRICTION_AT_LEAST,
+///         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED (see above);
+///         KSTRIP_ERROR_NOT_IN_MODEL (KSTRIP_MODEL_LINEAR); KSTRIP_ERROR_MEASURED (measured is
+///         another number); KSTRIP_ERROR_UNEXPLAINED (no friction gives the force, or the contact
+///         is lost).
 #[unsafe(export_name = symbol!("kstrip_estimate_friction"))]
 pub extern "C" fn kstrip_estimate_friction(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
@@ -66,12 +66,12 @@ pub extern "C" fn kstrip_estimate_friction(
 
 /// The creepage at which a contact with a given spin carries a requested force.
 ///
-/// The search ends after 40 solutions with KSTRIP_WARNING_NOT_CONVERGED and the nearest creepage; a
-/// force within a jump of STRIP_1967 has no creepage. Where spin keeps the force from growing with
-/// the creepage, more than one creepage may give the force; the result is one of them. A force
-/// within 0.1 % of friction times load is that of full sliding. The status is then
-/// KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every creepage larger than the result gives the force as
-/// well. A lost contact carries no force at any creepage; the result is zero.
+/// If no creepage has the force to rounding, such as a force within a jump of STRIP_1967, the
+/// result is the nearest, with KSTRIP_WARNING_NOT_CONVERGED. If spin keeps the force from growing
+/// with the creepage, more than one creepage may have it; the result is one of them. A force within
+/// 0.1 % of friction times load is that of full sliding. The status is then
+/// KSTRIP_WARNING_CREEPAGE_AT_LEAST, and every larger creepage has the force as well. A lost
+/// contact carries no force.
 ///
 /// @param contact         ellipse, load, material, friction.
 /// @param fx, fy          requested force on the lower body [N].
@@ -80,8 +80,9 @@ pub extern "C" fn kstrip_estimate_friction(
 ///                        that falling friction does not reach is KSTRIP_WARNING_NOT_CONVERGED.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param[out] creepage   receives the creepages, and the given spin.
-/// @return as kstrip_solve(); KSTRIP_WARNING_CREEPAGE_AT_LEAST, KSTRIP_WARNING_NOT_CONVERGED;
-///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION, or an error of the law as kstrip_evaluate().
+/// @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_CREEPAGE_AT_LEAST and
+///         KSTRIP_WARNING_NOT_CONVERGED (see above); KSTRIP_WARNING_SEVERAL_FRICTIONS, as in
+///         kstrip_evaluate(); KSTRIP_ERROR_FORCE_BEYOND_FRICTION (the force exceeds mu N).
 #[unsafe(export_name = symbol!("kstrip_creepage_for_force"))]
 pub extern "C" fn kstrip_creepage_for_force(
     contact: Option<&Contact<F>>, fx: F, fy: F, spin: F, friction: Option<&SlipFriction<F>>,

@@ -31,13 +31,7 @@ use core::mem::MaybeUninit;
 /// @param creepage        motion.
 /// @param options         model and strip count; NULL for the defaults.
 /// @param[out] result     receives forces, moment, power and adhesion.
-/// @return KSTRIP_OK; KSTRIP_WARNING_SPIN, KSTRIP_WARNING_RANGE, KSTRIP_WARNING_AXIS_RATIO,
-///         KSTRIP_WARNING_MISMATCH, KSTRIP_WARNING_MISMATCH_NEGLECTED,
-///         KSTRIP_WARNING_BEYOND_FRICTION, KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_CREEPAGE,
-///         KSTRIP_WARNING_SEMI_AXIS, KSTRIP_WARNING_SPIN_UNIT, KSTRIP_WARNING_FRICTION;
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_SEMI_AXIS,
-///         KSTRIP_ERROR_MODULUS, KSTRIP_ERROR_POISSON_RATIO, KSTRIP_ERROR_FRICTION,
-///         KSTRIP_ERROR_MODEL, KSTRIP_ERROR_STRIP_COUNT, KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; statuses of kstrip_contact, kstrip_creepage and kstrip_options.
 #[unsafe(export_name = symbol!("kstrip_solve"))]
 pub extern "C" fn kstrip_solve(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>, options: Option<&kstrip_options>,
@@ -53,23 +47,19 @@ pub extern "C" fn kstrip_solve(
 /// Computes, for a contact in motion, every output that is not NULL.
 ///
 /// If friction is given, the coefficient of friction falls with the slip and agrees with it; the
-/// contact's own coefficient is ignored. All derivatives include that dependence. Where more than
-/// one friction agrees with its slip, the status is KSTRIP_WARNING_SEVERAL_FRICTIONS and the result
-/// has the largest. The two models of 1967 are an exception under steeply falling friction: their
-/// forces jump, or nearly jump, where a first strip begins to adhere, and in about one of a
-/// thousand such cases another friction, perhaps a larger one, is not found. With
-/// KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+/// contact's own coefficient is ignored. All derivatives include that dependence. If more than one
+/// coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss it
+/// under steeply falling friction, because their forces jump, or nearly jump, where a first strip
+/// begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
-/// @param contact         ellipse, load, material, friction.
-/// @param creepage        motion.
+/// @param contact, creepage, options  as in kstrip_solve().
 /// @param friction        falling friction; NULL: constant.
-/// @param options         model and strip count; NULL for the defaults.
 /// @param outputs         where the outputs go.
-/// @return as kstrip_solve(); KSTRIP_WARNING_SEVERAL_FRICTIONS, KSTRIP_WARNING_NOT_CONVERGED;
-///         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_NOT_IN_MODEL (strips), KSTRIP_ERROR_FRICTION_RATIO,
-///         KSTRIP_ERROR_FRICTION_DECAY, KSTRIP_ERROR_NEGATIVE_SPEED, KSTRIP_ERROR_SLOPE_FACTOR,
-///         KSTRIP_ERROR_SLIDE_FACTOR, KSTRIP_ERROR_LAYER;
-///         KSTRIP_ERROR_OVERFLOW also when a derivative is too large.
+/// @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_SEVERAL_FRICTIONS (more
+///         than one coefficient agrees with its slip); KSTRIP_WARNING_NOT_CONVERGED (the search for
+///         the coefficient ended early); KSTRIP_ERROR_CAPACITY (outputs->capacity is below the
+///         strip count); KSTRIP_ERROR_NOT_IN_MODEL (strips of KSTRIP_MODEL_TOTAL or
+///         KSTRIP_MODEL_LINEAR).
 #[unsafe(export_name = symbol!("kstrip_evaluate"))]
 pub unsafe extern "C" fn kstrip_evaluate(
     contact: Option<&Contact<F>>, creepage: Option<&Creepage<F>>,
@@ -85,13 +75,10 @@ pub unsafe extern "C" fn kstrip_evaluate(
 /// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
 ///
 /// Use this for rigs whose contact is constant, and for iterations on the creepage.
-/// kstrip_solve_prepared() refuses a structure that was never prepared, or was prepared in the
-/// other precision.
 ///
-/// @param contact         ellipse, load, material, friction.
-/// @param options         model and strip count; NULL for the defaults.
+/// @param contact, options  as in kstrip_solve().
 /// @param[out] prepared   receives the prepared contact.
-/// @return as kstrip_solve().
+/// @return usual statuses; errors of kstrip_contact and kstrip_options.
 #[unsafe(export_name = symbol!("kstrip_prepare"))]
 pub extern "C" fn kstrip_prepare(
     contact: Option<&Contact<F>>, options: Option<&kstrip_options>,
@@ -105,7 +92,8 @@ pub extern "C" fn kstrip_prepare(
 /// @param prepared        by kstrip_prepare().
 /// @param creepage        motion.
 /// @param[out] result     receives forces, moment, power and adhesion.
-/// @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED.
+/// @return as kstrip_solve(); KSTRIP_ERROR_NOT_PREPARED (prepared is not from kstrip_prepare() of
+///         this precision).
 #[unsafe(export_name = symbol!("kstrip_solve_prepared"))]
 pub extern "C" fn kstrip_solve_prepared(
     prepared: Option<&Prepared<F>>, creepage: Option<&Creepage<F>>,
@@ -122,13 +110,14 @@ pub extern "C" fn kstrip_solve_prepared(
 /// results of both directions are blended, so that forces and derivatives are continuous. Friction
 /// opposes the slip at every speed. The axis x keeps its direction when the motion reverses.
 ///
-/// @param contact         ellipse, load, material, friction.
+/// @param contact, options  as in kstrip_solve().
 /// @param motion          slip, spin rate, signed rolling speed.
-/// @param friction        falling friction; NULL: constant. Its rolling_speed does
-///                        not count.
-/// @param options         model and strip count; NULL for the defaults.
+/// @param friction        falling friction; NULL: constant. Its rolling_speed is ignored.
 /// @param outputs         where the outputs go.
-/// @return as kstrip_evaluate(); KSTRIP_ERROR_FLOOR_SPEED.
+/// @return usual statuses; statuses of kstrip_contact, kstrip_motion, kstrip_friction and
+///         kstrip_options; warnings of kstrip_creepage (above 1 m/s);
+///         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+///         kstrip_evaluate().
 #[unsafe(export_name = symbol!("kstrip_solve_motion"))]
 pub unsafe extern "C" fn kstrip_solve_motion(
     contact: Option<&Contact<F>>, motion: Option<&Motion<F>>, friction: Option<&SlipFriction<F>>,
@@ -158,7 +147,8 @@ pub unsafe extern "C" fn kstrip_solve_motion(
 ///
 /// @param contact, creepage  as in kstrip_solve().
 /// @param[out] result     receives forces, moment and power on the lower body.
-/// @return as kstrip_solve().
+/// @return usual statuses; statuses of kstrip_contact and kstrip_creepage;
+///         KSTRIP_WARNING_AXIS_RATIO (a/b is outside 0.015 to 60).
 #[unsafe(export_name = symbol!("kstrip_solve_total"))]
 #[cfg(feature = "total")]
 pub extern "C" fn kstrip_solve_total(
@@ -173,7 +163,8 @@ pub extern "C" fn kstrip_solve_total(
 /// @param contact, creepage  as in kstrip_solve().
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
 /// @param[out] result     receives forces, moment, power and adhesion.
-/// @return as kstrip_solve().
+/// @return as kstrip_solve_total(); KSTRIP_WARNING_RANGE (|psi| is above 3);
+///         KSTRIP_ERROR_STRIP_COUNT (strips is another number).
 #[unsafe(export_name = symbol!("kstrip_solve_strip"))]
 #[cfg(feature = "strip")]
 pub extern "C" fn kstrip_solve_strip(
@@ -189,7 +180,9 @@ pub extern "C" fn kstrip_solve_strip(
 /// @param contact, creepage  as in kstrip_solve().
 /// @param strips          4, 8, 16, 32 or 64; 0: 16.
 /// @param[out] result     receives forces, moment, power and adhesion.
-/// @return as kstrip_solve().
+/// @return usual statuses; statuses of kstrip_contact and kstrip_creepage; KSTRIP_WARNING_SPIN
+///         (|psi| is 1 or more); KSTRIP_WARNING_MISMATCH_NEGLECTED (the mismatch is not 0);
+///         KSTRIP_ERROR_STRIP_COUNT (strips is another number).
 #[unsafe(export_name = symbol!("kstrip_solve_strip_1967"))]
 #[cfg(feature = "strip-1967")]
 pub extern "C" fn kstrip_solve_strip_1967(
@@ -203,7 +196,8 @@ pub extern "C" fn kstrip_solve_strip_1967(
 ///
 /// @param contact, creepage  as in kstrip_solve().
 /// @param[out] result     receives forces, moment and power on the lower body.
-/// @return as kstrip_solve().
+/// @return usual statuses; statuses of kstrip_contact and kstrip_creepage;
+///         KSTRIP_WARNING_BEYOND_FRICTION (the force exceeds mu N).
 #[unsafe(export_name = symbol!("kstrip_solve_linear"))]
 #[cfg(feature = "linear")]
 pub extern "C" fn kstrip_solve_linear(
@@ -217,7 +211,7 @@ pub extern "C" fn kstrip_solve_linear(
 ///
 /// @param lower           result on the lower body.
 /// @param[out] upper      receives the result on the upper body.
-/// @return KSTRIP_OK or KSTRIP_ERROR_NULL.
+/// @return KSTRIP_OK, or KSTRIP_ERROR_NULL if lower or upper is NULL.
 #[unsafe(export_name = symbol!("kstrip_result_on_upper_body"))]
 pub extern "C" fn kstrip_result_on_upper_body(
     lower: Option<&MaybeUninit<Solution<F>>>, upper: Option<&mut MaybeUninit<Solution<F>>>,

@@ -36,20 +36,17 @@ use core::mem::MaybeUninit;
 /// @param step            length between prepared points [m]; 0: the length of the profile divided
 ///                        by the capacity less one.
 /// @param smoothing_length  each point is replaced by that of a parabola fitted to the points up to
-///                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm
-///                        for measured profiles; below two distances it has no effect. 0: a profile
-///                        of 320 points or more goes through all of them. One of fewer than 234 is
-///                        smoothed over six of their distances where they are rough: on average
-///                        they lie 0.2 % of their distance or more beside the line that is smoothed
-///                        over four. It goes through all of them where this is less than 0.06 %, as
-///                        in drawings. Between these numbers it is smoothed over less.
+///                        this distance [m], >= 0: at least four point spacings, 2 to 4 mm for
+///                        measured profiles; below two spacings it has no effect. 0: a profile of
+///                        many points, or of smooth ones as in drawings, goes through all of them,
+///                        and one of fewer, rough points is smoothed over at most six spacings.
 /// @param[out] surface    receives the profile.
-/// @return KSTRIP_OK; KSTRIP_WARNING_ORIENTATION (the profile stands upside down or the wrong way
-///         round, as far as its shape tells), KSTRIP_WARNING_PROFILE_SIZE; KSTRIP_ERROR_NULL,
-///         KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_PROFILE (fewer than four points, a negative step),
-///         KSTRIP_ERROR_SMOOTHING_LENGTH, KSTRIP_ERROR_CAPACITY (the step needs too many points),
-///         KSTRIP_ERROR_OVERFLOW (the profile is smaller than 1 um, or a coordinate is larger than
-///         1 km), KSTRIP_ERROR_SCATTER (no line follows the points).
+/// @return usual statuses, KSTRIP_ERROR_OVERFLOW if the profile is smaller than 1 um or a
+///         coordinate is above 1 km; KSTRIP_WARNING_ORIENTATION (the shape stands upside down or
+///         the wrong way round); KSTRIP_WARNING_PROFILE_SIZE (longer than 1 m);
+///         KSTRIP_ERROR_PROFILE (fewer than four points, or step < 0);
+///         KSTRIP_ERROR_SMOOTHING_LENGTH (smoothing_length < 0); KSTRIP_ERROR_CAPACITY (the step
+///         needs too many points); KSTRIP_ERROR_SCATTER (no line follows the points).
 #[unsafe(export_name = symbol!("kstrip_prepare_profile"))]
 pub unsafe extern "C" fn kstrip_prepare_profile(
     y: *const F, z: *const F, points: u32, step: F, smoothing_length: F,
@@ -74,9 +71,13 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
 ///                        and reach where no point is nearer; NULL: not needed.
-/// @return KSTRIP_OK; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
-///         KSTRIP_ERROR_ROLLING_RADIUS, KSTRIP_ERROR_PROFILE_END (the wheel is beside the rail), or
-///         the error that names its likely cause, as in kstrip_wheel_on_rail().
+/// @return usual statuses; statuses of kstrip_wheel_position; KSTRIP_ERROR_NOT_PREPARED (rail or
+///         wheel); KSTRIP_ERROR_ROLLING_RADIUS (wheel_radius <= 0); KSTRIP_ERROR_PROFILE_END (the
+///         wheel is beside the rail) or its likely cause: KSTRIP_ERROR_ANGLE (yaw or roll is above
+///         0.2 in size), KSTRIP_ERROR_LENGTH_UNIT (the wheel is 0.7 m beside the rail, or 5 m above
+///         or below it; wheel_radius is above 5 m, or a profile is longer than 1 m),
+///         KSTRIP_ERROR_SWAPPED (rail has a flange, and wheel the head of a rail),
+///         KSTRIP_ERROR_ORIENTATION (a profile is not that of a rail or a wheel).
 #[unsafe(export_name = symbol!("kstrip_touch"))]
 pub extern "C" fn kstrip_touch(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, wheel_radius: F,
@@ -96,10 +97,10 @@ pub extern "C" fn kstrip_touch(
 
 /// The contacts of a gap, in ascending y of a right wheel.
 ///
-/// Zones of overlap less than 5 mm apart are one contact and one normal problem; zones more than 7
-/// mm apart are contacts of their own. Between these distances the common contact and the single
-/// ones each count by a share. Of more than four contacts the nearest neighbours are one, with
-/// KSTRIP_WARNING_ROUGH.
+/// Overlaps less than 5 mm apart are one contact and one normal problem; overlaps more than 7 mm
+/// apart are separate contacts. Between these distances the result blends the separate contacts
+/// with the merged one; share has the weights. Of more than four contacts the nearest are merged,
+/// with KSTRIP_WARNING_ROUGH.
 ///
 /// @param gap             the gap between the surfaces, from kstrip_touch() or a host's own search.
 /// @param pair            materials, friction, side.
@@ -108,11 +109,11 @@ pub extern "C" fn kstrip_touch(
 /// @param[out] contacts   array of KSTRIP_CONTACTS_CAPACITY elements; receives the contacts. It is
 ///                        memory of the computation too: after an error it may have changed.
 /// @param[out] count      receives their number; 0: the wheel is lifted.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE, KSTRIP_WARNING_ROUGH; KSTRIP_ERROR_NULL,
-///         KSTRIP_ERROR_CAPACITY, KSTRIP_ERROR_PROFILE (lengths or places of friction do not
-///         ascend, an angle beyond 2.3),
-///         KSTRIP_ERROR_PROFILE_END (a contact at an end of the gap), or one of the errors of
-///         kstrip_patch_from_profile().
+/// @return usual statuses; statuses of kstrip_gap, kstrip_wheel_pair and kstrip_wheel_position;
+///         KSTRIP_WARNING_ANGLE_RANGE (the normal turns by more than 30 degrees over a contact);
+///         KSTRIP_WARNING_ROUGH (also a contact with more local minima than its strips resolve);
+///         KSTRIP_ERROR_PROFILE_END (a contact reaches an end of the gap); KSTRIP_ERROR_PATCH_SIZE
+///         (more contacts than fit).
 #[unsafe(export_name = symbol!("kstrip_contacts_from_gap"))]
 pub unsafe extern "C" fn kstrip_contacts_from_gap(
     gap: Option<&Gap<F>>, pair: Option<&WheelPair<F>>, position: Option<&Position<F>>,
@@ -140,7 +141,7 @@ pub unsafe extern "C" fn kstrip_contacts_from_gap(
 /// @param contact         a contact.
 /// @param velocity        how the wheel moves.
 /// @param[out] motion     receives the motion, that of a roller included.
-/// @return KSTRIP_OK, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses.
 #[unsafe(export_name = symbol!("kstrip_wheel_motion"))]
 pub extern "C" fn kstrip_wheel_motion(
     contact: Option<&WheelContact<F>>, velocity: Option<&Velocity<F>>,
@@ -153,7 +154,7 @@ pub extern "C" fn kstrip_wheel_motion(
 /// kstrip_contacts_from_gap() or from a table.
 ///
 /// The wheel may roll forward or backward, or stand still, as in kstrip_solve_motion(): forces are
-/// continuous through rest. They are continuous where damping takes away all of the pressure, and
+/// continuous through rest. They are continuous where damping reduces the pressure to zero, and
 /// have a kink there.
 ///
 /// @param contacts, count  the contacts, at most KSTRIP_CONTACTS_CAPACITY; a wheel without contacts
@@ -165,8 +166,12 @@ pub extern "C" fn kstrip_wheel_motion(
 /// @param[out] wrench     receives force and moment.
 /// @param[out] derivatives  receives their derivatives with respect to velocity and friction; NULL:
 ///                          not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE or a status of kstrip_patch_evaluate();
-///         KSTRIP_ERROR_PATCH_SIZE, KSTRIP_ERROR_NORMAL_DAMPING, KSTRIP_ERROR_FLOOR_SPEED.
+/// @return usual statuses; statuses of kstrip_wheel_contact and kstrip_friction; warnings of
+///         kstrip_options; KSTRIP_WARNING_DAMPING (it more than doubles the pressure);
+///         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED, as in
+///         kstrip_evaluate(); KSTRIP_ERROR_PATCH_SIZE (too many contacts or strips);
+///         KSTRIP_ERROR_MODEL (model is another number); KSTRIP_ERROR_NOT_IN_MODEL
+///         (KSTRIP_MODEL_LINEAR); KSTRIP_ERROR_MODEL_LEFT_OUT (this build has no such model).
 #[unsafe(export_name = symbol!("kstrip_wrench_from_contacts"))]
 pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     contacts: *const WheelContact<F>, count: u32, velocity: Option<&Velocity<F>>, model: i32,
@@ -189,7 +194,7 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
     })
 }
 
-/// Load, sliding velocity and frictional power of each strip of a contact: what wears profiles.
+/// Load, sliding velocity and frictional power of each strip of a contact, to compute wear.
 ///
 /// Add the strips of all contacts at their wheel_y; y on the rail is that of the position plus
 /// strip_y of the contact. The powers add up to the dissipation of kstrip_wrench_from_contacts()
@@ -203,7 +208,8 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
 ///                        KSTRIP_PATCH_CAPACITY is always enough.
 /// @param capacity        size of strips.
 /// @param[out] count      receives the number of strips.
-/// @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY.
+/// @return as kstrip_wrench_from_contacts(); KSTRIP_ERROR_CAPACITY (capacity is below
+///         contact->patch.count).
 #[unsafe(export_name = symbol!("kstrip_contact_power_across"))]
 pub unsafe extern "C" fn kstrip_contact_power_across(
     contact: Option<&WheelContact<F>>, velocity: Option<&Velocity<F>>, model: i32,
@@ -249,15 +255,16 @@ pub unsafe extern "C" fn kstrip_contact_power_across(
 ///                          NULL: not needed.
 /// @param[out] by_position  receives their derivatives with respect to position: exact but for one
 ///                        difference of creep forces, one-sided at kinks; for a roller central
-///                        differences, at eight times the cost. NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_ANGLE_RANGE; KSTRIP_WARNING_ORIENTATION (also for a profile
-///         that is not that of a wheel, or of a rail, and for a contact above 30 degrees),
-///         KSTRIP_WARNING_PROFILE_SIZE, KSTRIP_WARNING_RADIUS, KSTRIP_WARNING_MODULUS,
-///         KSTRIP_WARNING_YOUNG, KSTRIP_WARNING_FRICTION, KSTRIP_WARNING_UNSET,
-///         KSTRIP_WARNING_PRESSURE, KSTRIP_WARNING_DAMPING for implausible inputs; or a status of
-///         one of these functions. An error of implausible inputs is the one that names their
-///         likely cause: KSTRIP_ERROR_ANGLE, KSTRIP_ERROR_LENGTH_UNIT, KSTRIP_ERROR_MODULUS_UNIT,
-///         KSTRIP_ERROR_SWAPPED, KSTRIP_ERROR_ORIENTATION.
+///                        differences. NULL: not needed.
+/// @return as kstrip_touch(), kstrip_contacts_from_gap() and kstrip_wrench_from_contacts().
+///         KSTRIP_ERROR_MODULUS_UNIT is a likely cause too (shear_modulus below 0.1 MPa). Warnings
+///         about implausible inputs: KSTRIP_WARNING_ORIENTATION (a profile is not that of a rail or
+///         a wheel, or a contact is above 30 degrees), KSTRIP_WARNING_PROFILE_SIZE (a profile is
+///         longer than 1 m), KSTRIP_WARNING_RADIUS (wheel_radius is above 5 m),
+///         KSTRIP_WARNING_MODULUS (below 0.1 MPa or above 10 TPa), KSTRIP_WARNING_YOUNG (above 150
+///         GPa), KSTRIP_WARNING_FRICTION (above 5), KSTRIP_WARNING_UNSET (friction and
+///         poisson_ratio are 0), KSTRIP_WARNING_PRESSURE (above a tenth of shear_modulus).
+///         KSTRIP_WARNING_PROFILE_COARSE: a contact is narrower than four point spacings.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_rail"))]
 pub extern "C" fn kstrip_wheel_on_rail(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>,
@@ -285,9 +292,8 @@ pub extern "C" fn kstrip_wheel_on_rail(
     })
 }
 
-/// The vertical position at which the rail supports a wheel with a given force. Use it to begin a
-/// run, and for tables. The search tries four positions in most cases, and 100
-/// at most, and finds the highest. The force is that of the height within rounding.
+/// The vertical position at which the rail supports a wheel with a given force, to rounding. Use it
+/// to begin a run, and for tables. Of several positions it is the highest.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail().
 /// @param position        where the wheel is; its vertical member is where the search begins.
@@ -297,10 +303,9 @@ pub extern "C" fn kstrip_wheel_on_rail(
 /// @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].
-/// @return KSTRIP_OK, KSTRIP_WARNING_NOT_CONVERGED, KSTRIP_WARNING_SUPPORT (the support
-///         falls with depth on the way, because friction pulls the wheel down, or the peak pressure
-///         exceeds a twentieth of the shear modulus);
-///         KSTRIP_ERROR_SUPPORT, or a status of kstrip_wheel_on_rail().
+/// @return as kstrip_wheel_on_rail(); KSTRIP_WARNING_NOT_CONVERGED (no height carries the load to
+///         rounding); KSTRIP_WARNING_SUPPORT (no ordinary contact supports the wheel at this
+///         height); KSTRIP_ERROR_SUPPORT (support <= 0).
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
 pub extern "C" fn kstrip_height_for_load(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>,

@@ -31,9 +31,9 @@ const CIRCLE_FROM_BACK: F = 70e-3;
 /// @param rail            prepared profile of a rail.
 /// @param depth           depth below the top of the rail [m], >= 0; 0: 14 mm.
 /// @param[out] face       receives y of the gauge face from the rail's origin [m]; negative.
-/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
-///         KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_NOT_PREPARED,
-///         KSTRIP_ERROR_GAUGE (depth).
+/// @return KSTRIP_OK; KSTRIP_WARNING_PROFILE_END (the profile ends above the depth);
+///         KSTRIP_ERROR_NULL (rail or face), KSTRIP_ERROR_NOT_FINITE (depth is infinite or NaN),
+///         KSTRIP_ERROR_NOT_PREPARED (rail), KSTRIP_ERROR_GAUGE (depth < 0).
 #[unsafe(export_name = symbol!("kstrip_gauge_face"))]
 pub extern "C" fn kstrip_gauge_face(
     rail: Option<&PreparedProfile<F>>, depth: F, face: Option<&mut MaybeUninit<F>>,
@@ -53,8 +53,7 @@ pub extern "C" fn kstrip_gauge_face(
 /// @param[out] weight     receives three numbers: weight per mass, the centrifugal part included,
 ///                        forward, lateral, vertical [m/s^2]. At balance speed its lateral part is
 ///                        zero. NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_CURVATURE; KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
-///         KSTRIP_ERROR_ANGLE (yaw, roll or cant of 1 or more), KSTRIP_ERROR_OVERFLOW.
+/// @return usual statuses; statuses of kstrip_curve and kstrip_wheel_position.
 #[unsafe(export_name = symbol!("kstrip_curve_motion"))]
 pub unsafe extern "C" fn kstrip_curve_motion(
     curve: Option<&Curve<F>>, position: Option<&Position<F>>, relative: Option<&Velocity<F>>,
@@ -77,7 +76,7 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 /// The position is that of the wheelset's centre, in the axes of the track: lateral from the middle
 /// of the track, vertical below the place where the centre is the mean of both wheel radii above
 /// the rails' origins. The velocity is that of the centre relative to the momentary track, with
-/// rates about the wheelset's own axes; in a curve kstrip_curve_motion() gives it. Forces are
+/// rates about the wheelset's own axes; in a curve kstrip_curve_motion() computes it. Forces are
 /// continuous as in kstrip_wheel_on_rail(). The forces times the ten velocities are minus the
 /// dissipation and minus the power that goes into the pressure.
 ///
@@ -92,9 +91,8 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 ///                        friction; NULL: not needed.
 /// @param[out] by_position  receives derivatives with respect to the ten positions, as exact as
 ///                        those of kstrip_wheel_on_rail(); NULL: not needed.
-/// @return KSTRIP_OK, KSTRIP_WARNING_PROFILE_END (a rail ends above the depth of the gauge) or a
-///         status of kstrip_wheel_on_rail(); KSTRIP_ERROR_GAUGE (neither a gauge nor the rails'
-///         origins, or no distance of the wheels).
+/// @return statuses of kstrip_wheelset and kstrip_track; as kstrip_wheel_on_rail() for each wheel,
+///         of two warnings the more serious.
 #[unsafe(export_name = symbol!("kstrip_wheelset_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelset_on_track(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, position: Option<&Position<F>>,
@@ -129,12 +127,10 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 }
 
 /// A wheelset in balance: height, roll and pitch rate at which its rails carry given loads, at
-/// given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction
-/// from 0 on, any speed and rollers are possible. Heights and roll are balanced at each pitch
-/// rate, and the pitch rate lies in a bracket around those at which the contacts roll purely.
-/// Without friction it is that of pure rolling on the mean radius. Six evaluations with
-/// derivatives are usual. A wheel is lifted in the result only if no balance is found with both
-/// wheels on the rails.
+/// given lateral position, yaw and speed. Use it to begin a run, and for tables. Any friction from
+/// 0 on, any speed and rollers are possible. Without friction the pitch rate is that of pure
+/// rolling on the mean radius. A wheel is lifted in the result only if no balance is found with
+/// both wheels on the rails.
 ///
 /// @param set, track      as in kstrip_wheelset_on_track().
 /// @param start           lateral and yaw; vertical and roll are where the search begins.
@@ -145,8 +141,9 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
 /// @param[out] position   receives the position.
 /// @param[out] moves      receives the velocity, with the pitch rate.
 /// @param[out] forces     receives the forces there; NULL: not needed.
-/// @return as kstrip_wheelset_on_track(); KSTRIP_WARNING_NOT_CONVERGED; KSTRIP_ERROR_SUPPORT
-///         (the load is not positive), KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads),
+/// @return as kstrip_wheelset_on_track(); statuses of kstrip_wheelset_loads;
+///         KSTRIP_WARNING_NOT_CONVERGED (the balance is not exact to rounding);
+///         KSTRIP_ERROR_WHEEL_LIFTED (no heights carry the loads);
 ///         KSTRIP_ERROR_FORCE_BEYOND_FRICTION (friction does not carry the torque).
 #[unsafe(export_name = symbol!("kstrip_wheelset_settle"))]
 pub unsafe extern "C" fn kstrip_wheelset_settle(
@@ -184,8 +181,8 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
 ///                        an error is untouched and does not stop the others.
 /// @param[out] statuses   array of count elements; receives the status of each shift; NULL: not
 ///                        needed.
-/// @return KSTRIP_OK or an error of kstrip_wheelset_on_track(): that of the first shift without a
-///         difference, or one without a status of any shift.
+/// @return as kstrip_wheelset_on_track() without velocities and contacts: the first error of a
+///         shift; before any shift KSTRIP_ERROR_NULL (a required array or structure).
 #[unsafe(export_name = symbol!("kstrip_rolling_radius_difference"))]
 pub unsafe extern "C" fn kstrip_rolling_radius_difference(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, shifts: *const F, count: u32,
@@ -224,12 +221,13 @@ pub unsafe extern "C" fn kstrip_rolling_radius_difference(
 ///                        where the conicity is 0; NULL: not needed.
 /// @param[out] statuses   array of number elements; receives the status of each amplitude; NULL:
 ///                        not needed.
-/// @return KSTRIP_OK, or the error of the first amplitude without a conicity:
-///         KSTRIP_ERROR_CONICITY (it is not positive or beyond the shifts, or the radii turn the
-///         wheelset away from the middle), KSTRIP_ERROR_NOT_FINITE, KSTRIP_ERROR_OVERFLOW; or,
-///         without a status of any amplitude, KSTRIP_ERROR_NULL, KSTRIP_ERROR_NOT_FINITE,
-///         KSTRIP_ERROR_PROFILE (too few shifts, or they do not ascend), KSTRIP_ERROR_GAUGE,
-///         KSTRIP_ERROR_ROLLING_RADIUS.
+/// @return KSTRIP_OK, or the error of the first amplitude without a conicity: KSTRIP_ERROR_CONICITY
+///         (it is not positive or beyond the shifts, or the radii turn the wheelset away from the
+///         middle), KSTRIP_ERROR_NOT_FINITE (it is infinite or NaN), KSTRIP_ERROR_OVERFLOW (a
+///         result is too large); before any amplitude KSTRIP_ERROR_NULL (a required array),
+///         KSTRIP_ERROR_NOT_FINITE (another number), KSTRIP_ERROR_PROFILE (fewer than two shifts,
+///         or they do not ascend), KSTRIP_ERROR_GAUGE (running_circles <= 0),
+///         KSTRIP_ERROR_ROLLING_RADIUS (wheel_radius <= 0).
 #[unsafe(export_name = symbol!("kstrip_equivalent_conicity"))]
 pub unsafe extern "C" fn kstrip_equivalent_conicity(
     shifts: *const F, differences: *const F, count: u32, running_circles: F, wheel_radius: F,

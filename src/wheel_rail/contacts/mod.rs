@@ -49,8 +49,7 @@ use crate::wheel_rail::{
 /// Turn of the normal over a contact \[rad\] from which one plane is not enough.
 const FLAT: f64 = 30.0 * core::f64::consts::PI / 180.0;
 
-/// One contact of a wheel. Its frame is (x, t, n): forward, across along the surface, into the
-/// rail.
+/// One contact of a wheel. Its frame (x, t, n): forward, across the surface, into the rail.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WheelContact<F> {
@@ -60,15 +59,15 @@ pub struct WheelContact<F> {
     /// Angle of the contact plane \[rad\]: mean of the strips' angles, weighted with load. For a
     /// left wheel it is that of the mirrored right wheel.
     pub angle: F,
-    /// Range of the angle over the patch \[rad\]; above 0.52 the status is
-    /// KSTRIP_WARNING_ANGLE_RANGE.
+    /// Range of the angle over the patch \[rad\]; above 0.52 KSTRIP_WARNING_ANGLE_RANGE.
     pub angle_range: F,
     /// Distance of the origin from the axle \[m\].
     pub radius: F,
-    /// Load of the strips \[N\].
+    /// Load of the strips \[N\], >= 0, else KSTRIP_ERROR_NORMAL_FORCE.
     pub normal_force: F,
-    /// Factor of load and forces in the sum over the contacts \[-\]: 1, except for contacts 5 to 7
-    /// mm apart, which count partly by themselves and partly as one contact.
+    /// Factor of load and forces in the sum over the contacts \[-\], >= 0, else KSTRIP_ERROR_SHARE:
+    /// 1, except for contacts 5 to 7 mm apart, whose result blends separate contacts with a merged
+    /// one.
     pub share: F,
     /// Overlap of the undeformed, smoothed surfaces where it is deepest \[m\].
     pub approach: F,
@@ -91,17 +90,16 @@ pub struct WheelContact<F> {
     pub spin_rate: [F; 6],
     /// rolling_speed of kstrip_motion.
     pub rolling_speed: [F; 6],
-    /// normal_damping of kstrip_wheel_pair.
+    /// normal_damping of kstrip_wheel_pair; a negative one is KSTRIP_ERROR_NORMAL_DAMPING.
     pub normal_damping: F,
     /// kstrip_motion of a wheel at rest: that of the rail's surface, mean of the strips weighted
-    /// with load, with the floor of the speed.
+    /// with load, with the floor of the speed; a negative floor is KSTRIP_ERROR_FLOOR_SPEED.
     pub at_rest: Motion<F>,
     /// The strips; y along the rail's surface, x forward from the origin.
     pub patch: Patch<F>,
     /// x and z of a roller's axis from the wheel's centre \[m\]; 0 and 0 for a straight rail.
     pub rail_axis: [F; 2],
-    /// Rate of a roller about its axis \[rad/s\]: rail_speed over rail_radius; 0 for a straight
-    /// rail.
+    /// Rate of a roller about its axis \[rad/s\]: rail_speed/rail_radius; 0: a straight rail.
     pub rail_rate: F,
     /// Speed of the rail's surface at each strip, backward \[m/s\]: rail_speed; on a roller
     /// rail_rate times the radius of its own undeformed surface there.

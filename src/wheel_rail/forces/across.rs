@@ -33,9 +33,12 @@ pub struct StripPower<F> {
     /// Force on the rail along its surface across the rolling direction \[N\], with the share of
     /// the contact; of a left wheel that of the mirrored right wheel.
     pub fy: F,
-    /// Mean sliding velocity \[m/s\]: power divided by the coefficient of friction and the load.
+    /// Mean sliding velocity \[m/s\]: power divided by the coefficient of friction and the load,
+    /// and below zero together with it.
     pub slip: F,
-    /// Frictional power \[W\], with the share of the contact.
+    /// Frictional power \[W\], with the share of the contact. That of a strip that hardly slides
+    /// may be a little below zero: -0.06 % of the power of the wheel if it rolls, -0.4 % if it
+    /// stands.
     pub power: F,
 }
 

@@ -8,11 +8,10 @@ use crate::wheel_rail::KSTRIP_SURFACE_CAPACITY;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gap<F> {
-    /// Length on the rail's surface from any origin \[m\], ascending. A host that works in a plane
-    /// passes its coordinate in this plane.
+    /// Length on the rail's surface from any origin \[m\], ascending, else KSTRIP_ERROR_PROFILE. A
+    /// host that works in a plane passes its coordinate in this plane.
     pub along: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Distance of the undeformed surfaces along the rail's normal \[m\]; negative where they would
-    /// overlap.
+    /// Undeformed gap along the rail's normal \[m\]; negative where the surfaces overlap.
     pub distance: [F; KSTRIP_SURFACE_CAPACITY],
     /// x of the point on the wheel's undeformed surface from the wheel's centre, axes of the track
     /// \[m\]: 0 without yaw.
@@ -22,19 +21,20 @@ pub struct Gap<F> {
     /// z of this point \[m\], about the wheel's radius.
     pub z: [F; KSTRIP_SURFACE_CAPACITY],
     /// Angle of the tangent across x, mean of both surfaces \[rad\], positive from y to z; about
-    /// -1.2 at the flange of a right wheel.
+    /// -1.2 at the flange of a right wheel. Its size is below 2.3, else KSTRIP_ERROR_PROFILE.
     pub angle: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Radius of curvature of the wheel along x \[m\]. Without yaw R0 = r/cos a: distance from the
-    /// axle divided by the cosine of the angle between normal and radius. A wheel that yaws has
+    /// Radius of curvature of the wheel along x \[m\], > 0, else KSTRIP_ERROR_ROLLING_RADIUS. It is
+    /// R0 = r/cos a without yaw: distance from the axle divided by the cosine of the angle between
+    /// normal and radius. A wheel that yaws has
     /// R0/(1 + (sin yaw/cos a)^2 (k R0 - 1)), with the curvature k of its profile; this is R0 (1 -
     /// dx/ds tan(yaw)/cos a) where x changes by dx/ds along the line of these points. Over a
     /// roller the curvatures of both add up, and angle and distance are those in the plane through
     /// the roller's axis and the point.
     pub rolling_radius: [F; KSTRIP_SURFACE_CAPACITY],
-    /// Distance of the wheel's points \[m\], >= 0, over 2.5 of which surfaces are smoothed at
-    /// least; 0: that of the gap's points where the surfaces are near.
+    /// Point spacing of the wheel \[m\], >= 0, else KSTRIP_ERROR_SMOOTHING_LENGTH: the gap is
+    /// smoothed over at least 2.5 of it. 0: the spacing of the gap's points near the contact.
     pub step: F,
-    /// Number of points.
+    /// Number of points, at most KSTRIP_SURFACE_CAPACITY, else KSTRIP_ERROR_CAPACITY.
     pub count: u32,
     /// Reserved: zero.
     pub reserved: u32,
