@@ -121,9 +121,9 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 /** Warning: an iteration ended before its result was accurate to rounding. */
 #define KSTRIP_WARNING_NOT_CONVERGED 5
-/** Warning: the contact sticks, so that the measured force gives only a lower bound of friction. */
+/** Warning: the contact sticks, so that the result is only a lower bound of friction. */
 #define KSTRIP_WARNING_FRICTION_AT_LEAST 6
-/** Warning: the requested force is that of full sliding, which every larger creepage gives as well. */
+/** Warning: the requested force is that of full sliding, and every larger creepage has it as well. */
 #define KSTRIP_WARNING_CREEPAGE_AT_LEAST 7
 /**
  * Warning: implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the load
@@ -165,7 +165,7 @@ typedef int32_t kstrip_status;
  * of contact is not enough: forces may be off by some tenths of mu N.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
-/** Warning: a zone of contact ends with the profile, as if the bodies ended there. */
+/** Warning: a contact region ends with the profile, as if the bodies ended there. */
 #define KSTRIP_WARNING_PROFILE_END 18
 /** Warning: the measured points do not determine each parameter of a law. */
 #define KSTRIP_WARNING_UNDETERMINED 20
@@ -384,7 +384,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_SLICE_SHARE -76
 
 /**
- * Text in English with the meaning of a status and what the caller must change.
+ * Text in English with the cause of a status and the remedy.
  *
  * Returns a static string, never NULL. For a number that is no status the text is "unknown
  * status".
@@ -807,8 +807,8 @@ typedef struct kstrip_derivatives {
     /** With respect to the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
     /**
-     * With respect to the normal force while a and b follow it as Hertz says: both grow like its
-     * cube root [-, -, m].
+     * With respect to the normal force while a and b grow with its cube root, as in Hertz's theory
+     * [-, -, m].
      */
     double load_through_hertz[3];
     /** With respect to the coefficient of friction (of the law, if given) [N, N, N m]. */
@@ -1115,7 +1115,7 @@ typedef struct kstrip_motion_derivatives {
     double rolling_speed[3];
     /** With respect to the normal force at fixed a and b [-, -, m]. */
     double normal_force[3];
-    /** With respect to the normal force while a and b follow it as Hertz says [-, -, m]. */
+    /** With respect to the normal force while a and b grow with its cube root [-, -, m]. */
     double load_through_hertz[3];
     /** With respect to the coefficient of friction (of the law, if given) [N, N, N m]. */
     double friction[3];
@@ -1426,7 +1426,7 @@ typedef struct kstrip_profile_result {
     /** Steps of the two searches for the approach, at most 60 each. */
     uint32_t iterations;
     /**
-     * The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends
+     * The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends
      * with the profile.
      */
     kstrip_status status_detail;
@@ -1440,10 +1440,10 @@ typedef struct kstrip_profile_result {
 /**
  * The patch of two profiles under a load, or at an approach.
  *
- * Contact regions begin with zero width, grow and merge. The results are
- * continuous in distances and approach, and in the load unless it falls with the approach (rough
- * profiles). The stiffness is the derivative of the computed load. The approach counts from the
- * lowest point of the smoothed profile: it has a kink where another point becomes the lowest.
+ * Contact regions begin with zero width, grow and merge. The results are continuous in distances
+ * and approach, and in the load unless it falls with the approach (rough profiles). The stiffness
+ * is the derivative of the computed load. The approach is measured from the lowest point of the
+ * smoothed profile: it has a kink where another point becomes the lowest.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -1617,8 +1617,8 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
 #define KSTRIP_SURFACE_CAPACITY 512
 
 /**
- * Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
- * less than 7 mm apart.
+ * Largest number of contacts of one wheel: four separate ones, and two that merge neighbours less
+ * than 7 mm apart.
  */
 #define KSTRIP_CONTACTS_CAPACITY 6
 
@@ -1694,8 +1694,8 @@ kstrip_status kstrip_patch_field(const struct kstrip_patch *patch,
  *
  * @param text, length    the text of the file and its number of bytes. It need not end with 0.
  * @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
- *                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and what is certain,
- *                        KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
+ *                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and directions that
+ *                        are known, KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
  * @param[out] y, z       arrays of capacity elements; receive the points [m].
  * @param capacity        number of elements of y and of z.
  * @param[out] count      receives the number of points.
@@ -1918,7 +1918,7 @@ typedef struct kstrip_gap {
  * @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
  *                        For kstrip_contacts_from_gap() it must be at least 3 d + min(1 mm,
  *                        sqrt(s^2 + 6.25 d^2)/2), or 2 mm if that is less, with the step d of the
- *                        wheel and smoothing_length s: nearer points count in the smoothing.
+ *                        wheel and smoothing_length s: nearer points enter the smoothing.
  * @param[out] gap        receives the points.
  * @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
  *                        and reach where no point is nearer; NULL: not needed.
@@ -2286,9 +2286,9 @@ kstrip_status kstrip_contact_power_across(const struct kstrip_wheel_contact *con
                                           uint32_t *count);
 
 /**
- * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
- * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
- * contents have no meaning.
+ * Caller-provided memory for the computation of one wheel. It may hold anything before a call.
+ * After KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error
+ * its contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace {
     /** The gap between the surfaces. */
@@ -2478,9 +2478,9 @@ kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
  */
 
 /**
- * Freedoms of a wheelset on two rails: the members of kstrip_wheel_velocity (forward, lateral,
- * vertical, roll, pitch, yaw), then lateral and vertical of the right rail, and lateral and
- * vertical of the left one.
+ * Degrees of freedom of a wheelset on two rails: the members of kstrip_wheel_velocity (forward,
+ * lateral, vertical, roll, pitch, yaw), then lateral and vertical of the right rail, and lateral
+ * and vertical of the left one.
  */
 #define KSTRIP_WHEELSET_FREEDOMS 10
 
@@ -2605,8 +2605,8 @@ typedef struct kstrip_track {
 } kstrip_track;
 
 /**
- * Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
- * left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+ * Caller-provided memory for the computation of a wheelset: that of the right wheel and that of
+ * the left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
  * contacts of both wheels.
  */
 typedef struct kstrip_wheelset_workspace {
@@ -2788,10 +2788,10 @@ kstrip_status kstrip_wheelsets_settle(const struct kstrip_wheelset *set,
  * The difference of the rolling radii, right minus left, against the lateral shift of a rigid
  * wheelset that touches both rails without yaw.
  *
- * @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
- *                        displacements.
+ * @param set, track      as in kstrip_wheelset_on_track(); of the motion of the rails only the
+ *                        displacements are used.
  * @param shifts, count   lateral positions of the wheelset [m].
- * @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
+ * @param with_roll       0: without roll, as in EN 15302; any other number: with the roll that
  *                        the wheelset has on both rails.
  * @param workspace       memory that may hold anything.
  * @param[out] differences  array of count elements; receives the differences [m]. An element with
@@ -2913,9 +2913,9 @@ typedef struct kstrip_friction_estimate {
  * @param friction        law of friction, whose own coefficient is ignored; NULL: clean bodies,
  *                        constant friction.
  * @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
- * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
- *                        counts.
- * @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
+ * @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added, for the
+ *                        magnitude of the force.
+ * @param fx, fy          measured forces on the lower body [N]; others are ignored.
  * @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
  * @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_FRICTION_AT_LEAST,
  *         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED (see above);

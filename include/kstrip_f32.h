@@ -787,9 +787,9 @@ kstrip_status kstrip_contact_power_across_f32(const struct kstrip_wheel_contact_
                                               uint32_t *count);
 
 /**
- * Memory of the caller for the computation of one wheel. It may hold anything before a call. After
- * KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
- * contents have no meaning.
+ * Caller-provided memory for the computation of one wheel. It may hold anything before a call.
+ * After KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error
+ * its contents have no meaning.
  */
 typedef struct kstrip_wheel_workspace_f32 {
     struct kstrip_gap_f32 gap;
@@ -934,8 +934,8 @@ typedef struct kstrip_track_f32 {
 } kstrip_track_f32;
 
 /**
- * Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
- * left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+ * Caller-provided memory for the computation of a wheelset: that of the right wheel and that of
+ * the left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
  * contacts of both wheels.
  */
 typedef struct kstrip_wheelset_workspace_f32 {

@@ -452,7 +452,7 @@ impl Report {
     }
 
     fn unlike(&mut self) {
-        self.line("\n## Unlike materials\n");
+        self.line("\n## Dissimilar materials\n");
         self.line(
             "`kappa.csv`: 170 pairs of results of CONTACT with the mismatch `κ` of the materials \
              and without. Error of the difference that `κ` makes to the force, `|(f − f₀) − (f − \
@@ -1028,7 +1028,7 @@ fn main() -> Drawn {
         ("by region", Report::by_region),
         ("slender contacts", Report::slender),
         ("large creepage that spin turns around", Report::turning),
-        ("unlike materials", Report::unlike),
+        ("dissimilar materials", Report::unlike),
         ("worst cases", Report::worst_cases),
         ("fields", Report::fields),
         ("coefficients", Report::coefficients),

@@ -286,11 +286,10 @@ statuses! {
         KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5 gravity 6:
             "an iteration ended before its result was accurate to rounding";
         KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6 gravity 4:
-            "the contact sticks, so that the measured force gives only a lower bound of friction",
+            "the contact sticks, so that the result is only a lower bound of friction",
             "measure at larger creepage";
         KSTRIP_WARNING_CREEPAGE_AT_LEAST CreepageAtLeast = 7 gravity 4:
-            "the requested force is that of full sliding, which every larger creepage gives as \
-             well";
+            "the requested force is that of full sliding, and every larger creepage has it as well";
         KSTRIP_WARNING_PRESSURE Pressure = 8 gravity IMPLAUSIBLE:
             "implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the \
              load (N) or the semi-axes (m) are probably in another unit";
@@ -322,7 +321,7 @@ statuses! {
             "the normal turns by more than 30 degrees over a contact of a wheel, so that one \
              plane of contact is not enough: forces may be off by some tenths of mu N";
         KSTRIP_WARNING_PROFILE_END ProfileEnd = 18 gravity 2:
-            "a zone of contact ends with the profile, as if the bodies ended there",
+            "a contact region ends with the profile, as if the bodies ended there",
             "unless they do, pass more of the profile";
         KSTRIP_WARNING_UNDETERMINED Undetermined = 20 gravity 4:
             "the measured points do not determine each parameter of a law",

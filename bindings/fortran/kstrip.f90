@@ -586,7 +586,7 @@ module kstrip
       real(c_double) :: power = 0
    end type
 
-   !> Memory of the caller for the computation of one wheel.
+   !> Caller-provided memory for the computation of one wheel.
    type, bind(c) :: kstrip_wheel_workspace
       type(kstrip_gap) :: gap
       type(kstrip_patch) :: strips
@@ -637,7 +637,7 @@ module kstrip
       type(kstrip_rail_motion) :: motion(2)
    end type
 
-   !> Memory of the caller for the computation of a wheelset: that of the right wheel and that of the left one.
+   !> Caller-provided memory for the computation of a wheelset: that of the right wheel and that of the left one.
    type, bind(c) :: kstrip_wheelset_workspace
       type(kstrip_wheel_workspace) :: wheel(2)
    end type
@@ -699,7 +699,7 @@ module kstrip
    end type
 
    interface
-      !> Text in English with the meaning of a status and what the caller must change.
+      !> Text in English with the cause of a status and the remedy.
       type(c_ptr) function kstrip_status_string(status) bind(c)
          import
          integer(c_int32_t), value :: status

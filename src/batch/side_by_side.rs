@@ -244,7 +244,7 @@ fn whole_groups(numbers: &Range<usize>, count: usize) -> (usize, usize) {
     (start, end - (end - start) % count)
 }
 
-/// Whether contacts may be solved side by side: none is lost, without friction or of unlike
+/// Whether contacts may be solved in parallel: none is lost, without friction or of dissimilar
 /// materials, and none needs a warning about its size.
 #[inline(always)]
 fn go_together<L: Real>(contact: &Contact<L>, creepage: &Creepage<L>) -> bool {

@@ -18,8 +18,8 @@
 //! contact.
 //!
 //! **Power.** Friction does its work on the whole slip: `P = F_x (υx + Δυx) + F_y υy + M_z φ ≥ 0`.
-//! The load supplies the part `F_x Δυx`: in unlike bodies tangential traction tilts the pressure,
-//! and the rolling motion works against the tilted pressure.
+//! The load supplies the part `F_x Δυx`: in dissimilar bodies tangential traction tilts the
+//! pressure, and the rolling motion works against the tilted pressure.
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Units};

@@ -33,7 +33,7 @@ use core::mem::MaybeUninit;
 use support::write_result;
 use types::kstrip_options;
 
-/// Text in English with the meaning of a status and what the caller must change.
+/// Text in English with the cause of a status and the remedy.
 ///
 /// Returns a static string, never NULL. For a number that is no status the text is "unknown
 /// status".

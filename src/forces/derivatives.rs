@@ -23,9 +23,9 @@
 //!
 //! also for the linear theory: no derivatives with respect to `a` and `b` are needed.
 //!
-//! **Unlike materials.** The creepage `Δ` that pressure adds depends on all inputs. With `w = c +
-//! Δ(c, M, κ)` the derivatives with respect to `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M`, `Δ` is
-//! a function of `c/M` and `κ/μ` alone. Therefore the derivative with respect to load needs no
+//! **Dissimilar materials.** The creepage `Δ` that pressure adds depends on all inputs. With `w = c
+//! + Δ(c, M, κ)` the derivatives with respect to `c` are `∂F/∂w (1 + ∂Δ/∂c)`. In units of `M`, `Δ`
+//! is a function of `c/M` and `κ/μ` alone. Therefore the derivative with respect to load needs no
 //! further term, and that with respect to friction is reduced by `κ ∂F/∂κ`. The power on the whole
 //! slip, `P = F · w`, is homogeneous likewise.
 
@@ -49,8 +49,8 @@ pub struct Derivatives<F> {
     pub jacobian: [[F; 3]; 3],
     /// With respect to the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// With respect to the normal force while a and b follow it as Hertz says: both grow like its
-    /// cube root \[-, -, m\].
+    /// With respect to the normal force while a and b grow with its cube root, as in Hertz's theory
+    /// \[-, -, m\].
     pub load_through_hertz: [F; 3],
     /// With respect to the coefficient of friction (of the law, if given) \[N, N, N m\].
     pub friction: [F; 3],

@@ -25,9 +25,9 @@
 //! hence their mean does: power `F · slip + M_z · spin rate ≥ 0`, `|F| ≤ μ N`. Motion turned by 180
 //! degrees gives turned forces, to the bit.
 //!
-//! **Unlike materials.** The slip velocity that pressure adds is `V Δυx`: it is proportional to the
-//! rolling speed and changes its sign with it. So the mismatch is `±κ V/V_f` at the two ends and
-//! zero at standstill, and the forces of both ends oppose the same slip.
+//! **Dissimilar materials.** The slip velocity that pressure adds is `V Δυx`: it is proportional to
+//! the rolling speed and changes its sign with it. So the mismatch is `±κ V/V_f` at the two ends
+//! and zero at standstill, and the forces of both ends oppose the same slip.
 //!
 //! **Falling friction** uses `V_f` as its rolling speed, so that friction falls with the slip
 //! velocity also at standstill. Each end has the friction that agrees with its own slip.
@@ -80,7 +80,7 @@ pub struct MotionDerivatives<F> {
     pub rolling_speed: [F; 3],
     /// With respect to the normal force at fixed a and b \[-, -, m\].
     pub normal_force: [F; 3],
-    /// With respect to the normal force while a and b follow it as Hertz says \[-, -, m\].
+    /// With respect to the normal force while a and b grow with its cube root \[-, -, m\].
     pub load_through_hertz: [F; 3],
     /// With respect to the coefficient of friction (of the law, if given) \[N, N, N m\].
     pub friction: [F; 3],

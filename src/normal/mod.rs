@@ -71,7 +71,7 @@ pub struct Indentation<F> {
     pub peak_y: F,
     /// Steps of the two searches for the approach, at most 60 each.
     pub iterations: u32,
-    /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends
+    /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends
     /// with the profile.
     pub warning: Warning,
     /// Distance at that lowest point \[m\], or of the given points without contact: the bodies have

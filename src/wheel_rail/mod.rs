@@ -32,8 +32,8 @@ use crate::status::Error;
 
 /// Maximum number of points in a prepared profile or a gap.
 pub const KSTRIP_SURFACE_CAPACITY: usize = 512;
-/// Largest number of contacts of one wheel: four, and two more, each of which stands for neighbours
-/// less than 7 mm apart.
+/// Largest number of contacts of one wheel: four separate ones, and two that merge neighbours less
+/// than 7 mm apart.
 pub const KSTRIP_CONTACTS_CAPACITY: usize = 6;
 /// Largest number of places along the rail at which friction is given.
 pub const KSTRIP_RAIL_FRICTION_CAPACITY: usize = 4;

@@ -26,9 +26,9 @@ fn differences<F: Float>(
     Ok(slopes)
 }
 
-/// Memory of the caller for the computation of one wheel. It may hold anything before a call. After
-/// KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error its
-/// contents have no meaning.
+/// Caller-provided memory for the computation of one wheel. It may hold anything before a call.
+/// After KSTRIP_OK or a warning it holds the gap and the contacts of the position; after an error
+/// its contents have no meaning.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Workspace<F> {

@@ -8,8 +8,8 @@ use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, WrenchDerivati
 use crate::wheel_rail::scene::{Scene, Workspace};
 use crate::wheel_rail::{BodyState, Requested, dot};
 
-/// Memory of the caller for the computation of a wheelset: that of the right wheel and that of the
-/// left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
+/// Caller-provided memory for the computation of a wheelset: that of the right wheel and that of
+/// the left one. It may hold anything before a call. After KSTRIP_OK or a warning it holds gap and
 /// contacts of both wheels.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -74,7 +74,7 @@ mod lifted;
 pub mod settle;
 pub mod track;
 
-/// Freedoms of a wheelset on two rails: the members of kstrip_wheel_velocity (forward, lateral,
-/// vertical, roll, pitch, yaw), then lateral and vertical of the right rail, and lateral and
-/// vertical of the left one.
+/// Degrees of freedom of a wheelset on two rails: the members of kstrip_wheel_velocity (forward,
+/// lateral, vertical, roll, pitch, yaw), then lateral and vertical of the right rail, and lateral
+/// and vertical of the left one.
 pub const KSTRIP_WHEELSET_FREEDOMS: usize = 10;

@@ -715,7 +715,7 @@ fn errors_in_prose_are_those_of_the_report() {
     let all = cells("docs/evidence/patches.md", "", "**all** | 30");
     let real = cells("docs/evidence/patches.md", "", "**all** | 36");
     let [unlike_total, unlike_strip] =
-        ["TOTAL", "STRIP"].map(|model| cells(REPORT, "## Unlike materials", model)[1][0]);
+        ["TOTAL", "STRIP"].map(|model| cells(REPORT, "## Dissimilar materials", model)[1][0]);
     let pair = |total: f64, strip: f64| format!("{} | {} |", short(total, 4), short(strip, 4));
     let shallow = ["0.015 to 0.03", "0.03 to 0.06", "0.06 to 0.12"];
     for text in [

@@ -290,7 +290,7 @@ class Derivatives(Value):
 
     jacobian: With respect to longitudinal, lateral, spin, row by row [N, N, N m per 1, 1, 1/m]; at kinks of a model a one-sided value.
     normal_force: With respect to the normal force at fixed a and b [-, -, m].
-    load_through_hertz: With respect to the normal force while a and b follow it as Hertz says: both grow like its cube root [-, -, m].
+    load_through_hertz: With respect to the normal force while a and b grow with its cube root, as in Hertz's theory [-, -, m].
     friction: With respect to the coefficient of friction (of the law, if given) [N, N, N m].
     """
 
@@ -415,7 +415,7 @@ class MotionDerivatives(Value):
     slip: With respect to slip_x, slip_y, spin_rate, row by row [N, N, N m per m/s, m/s, rad/s].
     rolling_speed: With respect to the rolling speed at constant slip and spin rate [N, N, N m per m/s].
     normal_force: With respect to the normal force at fixed a and b [-, -, m].
-    load_through_hertz: With respect to the normal force while a and b follow it as Hertz says [-, -, m].
+    load_through_hertz: With respect to the normal force while a and b grow with its cube root [-, -, m].
     friction: With respect to the coefficient of friction (of the law, if given) [N, N, N m].
     ratio: With respect to the ratio of the law; 0 without one [N, N, N m].
     decay: With respect to the decay of the law; 0 without one [N, N, N m per s/m].
@@ -560,7 +560,7 @@ class ProfileResult(Value):
     peak_pressure: Largest pressure of a strip [Pa].
     peak_y: y of the strip with the largest pressure [m].
     iterations: Steps of the two searches for the approach, at most 60 each.
-    status_detail: The status of this result: 0, or KSTRIP_WARNING_PROFILE_END where a zone of contact ends with the profile.
+    status_detail: The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends with the profile.
     lowest: Distance at that lowest point [m], or of the given points without contact: the bodies have moved by approach + lowest.
     """
 

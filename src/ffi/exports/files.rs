@@ -20,8 +20,8 @@ use core::mem::MaybeUninit;
 ///
 /// @param text, length    the text of the file and its number of bytes. It need not end with 0.
 /// @param format          KSTRIP_FORMAT_ANY or another one of these constants; the kind may be
-///                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and what is certain,
-///                        KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
+///                        added, KSTRIP_FORMAT_WHEEL or KSTRIP_FORMAT_RAIL, and directions that
+///                        are known, KSTRIP_FORMAT_Z_DOWN and KSTRIP_FORMAT_SIDE.
 /// @param[out] y, z       arrays of `capacity` elements; receive the points [m].
 /// @param capacity        number of elements of y and of z.
 /// @param[out] count      receives the number of points.

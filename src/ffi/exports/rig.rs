@@ -34,9 +34,9 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 /// @param friction        law of friction, whose own coefficient is ignored; NULL: clean bodies,
 ///                        constant friction.
 /// @param options         model and strip count; NULL for the defaults. Not KSTRIP_MODEL_LINEAR.
-/// @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added: then the resultant
-///                        counts.
-/// @param fx, fy          measured forces on the lower body [N]; what was not measured is ignored.
+/// @param measured        KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or both added, for the
+///                        magnitude of the force.
+/// @param fx, fy          measured forces on the lower body [N]; others are ignored.
 /// @param[out] estimate   receives friction, its sensitivity, and how far the force is off.
 /// @return as kstrip_solve(); statuses of kstrip_friction; KSTRIP_WARNING_FRICTION_AT_LEAST,
 ///         KSTRIP_WARNING_SEVERAL_FRICTIONS and KSTRIP_WARNING_NOT_CONVERGED (see above);

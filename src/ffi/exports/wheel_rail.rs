@@ -67,7 +67,7 @@ pub unsafe extern "C" fn kstrip_prepare_profile(
 /// @param reach           distance from the rail above which points are left out [m]; 0: 2 mm.
 ///                        For kstrip_contacts_from_gap() it must be at least 3 d + min(1 mm,
 ///                        sqrt(s^2 + 6.25 d^2)/2), or 2 mm if that is less, with the step d of the
-///                        wheel and smoothing_length s: nearer points count in the smoothing.
+///                        wheel and smoothing_length s: nearer points enter the smoothing.
 /// @param[out] gap        receives the points.
 /// @param[out] least      receives their least distance [m]: negative where the surfaces overlap,
 ///                        and reach where no point is nearer; NULL: not needed.

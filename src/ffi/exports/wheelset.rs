@@ -171,10 +171,10 @@ pub unsafe extern "C" fn kstrip_wheelset_settle(
 /// The difference of the rolling radii, right minus left, against the lateral shift of a rigid
 /// wheelset that touches both rails without yaw.
 ///
-/// @param set, track      as in kstrip_wheelset_on_track(); the motion of the rails counts with its
-///                        displacements.
+/// @param set, track      as in kstrip_wheelset_on_track(); of the motion of the rails only the
+///                        displacements are used.
 /// @param shifts, count   lateral positions of the wheelset [m].
-/// @param with_roll       0: without roll, as EN 15302 has it; any other number: with the roll that
+/// @param with_roll       0: without roll, as in EN 15302; any other number: with the roll that
 ///                        the wheelset has on both rails.
 /// @param workspace       memory that may hold anything.
 /// @param[out] differences  array of count elements; receives the differences [m]. An element with

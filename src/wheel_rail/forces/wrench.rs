@@ -166,7 +166,7 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
                 }
             };
             let force = carried.components().map(|force| force * contact.share);
-            // of unlike materials, pressure moves the surfaces as well
+            // of dissimilar materials, pressure moves the surfaces as well
             let dissipation = if contact.patch.mismatch == zero {
                 dot(&force, &[motion.slip_x, motion.slip_y, motion.spin_rate])
             } else {
