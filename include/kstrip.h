@@ -150,14 +150,14 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /**
  * Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its
- * reference, and the result is bounded by mu N.
+ * reference.
  */
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
 /**
  * Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are
- * not half-spaces, and the result is that of half-spaces.
+ * not half-spaces.
  */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
@@ -317,8 +317,8 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_PATCH_SIZE -43
 /**
  * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4) or
- * a negative step, or numbers that must ascend do not: its y, the lengths of a gap, the places of
- * friction, or shifts.
+ * a negative step, or numbers that must ascend do not, such as the y of a patch, the lengths of a
+ * gap, the places of friction or shifts.
  */
 #define KSTRIP_ERROR_PROFILE -44
 /** Error: a profile ends where the bodies would touch, or the wheel is beside the rail. */
@@ -358,7 +358,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_ORIENTATION -55
 /** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
 #define KSTRIP_ERROR_GAUGE -60
-/** Error: no position of the wheelset balances the loads. */
+/** Error: no position of the wheelset balances the loads, because a wheel lifts. */
 #define KSTRIP_ERROR_WHEEL_LIFTED -61
 /**
  * Error: no wave has this amplitude: it is not positive or beyond the shifts, or the radii turn

@@ -83,16 +83,17 @@ statuses! {
         KSTRIP_ERROR_MODULUS Modulus = -5:
             "a modulus of elasticity is not positive", "it must be > 0 (pascals)";
         KSTRIP_ERROR_POISSON_RATIO PoissonRatio = -6:
-            "Poisson's ratio is outside [0, 0.5]";
+            "Poisson's ratio is outside [0, 0.5]", "steel has 0.28";
         KSTRIP_ERROR_FRICTION Friction = -7:
             "the coefficient of friction is negative", "it must be >= 0";
         KSTRIP_ERROR_MODEL Model = -8:
             "the model is not one of the KSTRIP_MODEL constants", "0 is the default";
         KSTRIP_ERROR_STRIP_COUNT StripCount = -9:
-            "the strip count is not 4, 8, 16, 32 or 64";
+            "the strip count is not 4, 8, 16, 32 or 64", "0 stands for 16";
         KSTRIP_ERROR_CURVATURE Curvature = -10:
             "a radius is zero or NaN, or the summed curvature in a plane is not positive, so \
-             that the bodies do not touch in an ellipse";
+             that the bodies do not touch in an ellipse",
+            "a flat body has the radius INFINITY, and a concave one a negative radius";
         KSTRIP_ERROR_ROLLING_SPEED RollingSpeed = -11:
             "the rolling speed is not positive", "let x point in the rolling direction";
         KSTRIP_ERROR_CAPACITY Capacity = -12:
@@ -106,7 +107,7 @@ statuses! {
             "a result is beyond the range of the floating-point type",
             "check the units (N, m, Pa)";
         KSTRIP_ERROR_FRICTION_RATIO FrictionRatio = -15:
-            "the ratio of falling friction is outside [0, 1]";
+            "the ratio of falling friction is outside [0, 1]", "1 stands for constant friction";
         KSTRIP_ERROR_FRICTION_DECAY FrictionDecay = -16:
             "the decay of falling friction is negative", "it must be >= 0 (s/m)";
         KSTRIP_ERROR_NEGATIVE_SPEED NegativeSpeed = -17:
@@ -122,7 +123,8 @@ statuses! {
             "a force below mu N is possible, and a torque below the sum over both wheels of \
              friction, load and rolling radius";
         KSTRIP_ERROR_MEASURED Measured = -21:
-            "the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum";
+            "the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum",
+            "name the components that were measured";
         KSTRIP_ERROR_NOT_PREPARED NotPrepared = -22:
             "a structure was not filled by kstrip_prepare() of the same precision, or a profile \
              not by kstrip_prepare_profile()",
@@ -146,7 +148,7 @@ statuses! {
             "add the constants of those that are fitted";
         KSTRIP_ERROR_WEIGHT Weight = -29:
             "the weight of a measured point is negative",
-            "it must be >= 0, 0 for a point that does not count";
+            "it must be >= 0, 0 for a point that is ignored";
         KSTRIP_ERROR_MODEL_LEFT_OUT ModelLeftOut = -30:
             "the model, or its falling friction or layer, was left out of this build of the \
              library",
@@ -161,14 +163,16 @@ statuses! {
         KSTRIP_ERROR_PRESSURE Pressure = -41:
             "the peak pressure of a strip is negative", "it must be >= 0 (pascals)";
         KSTRIP_ERROR_STRIP_ORDER StripOrder = -42:
-            "strips of a patch overlap, or do not ascend in y";
+            "strips of a patch overlap, or do not ascend in y",
+            "kstrip_patch_from_strips() sorts them; narrow those that overlap";
         KSTRIP_ERROR_PATCH_SIZE PatchSize = -43:
             "there are more strips than a patch can hold, or more contacts than a wheel may have",
             "use fewer and wider strips, or a smoother profile";
         KSTRIP_ERROR_PROFILE Profile = -44:
             "a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer \
-             than 4) or a negative step, or numbers that must ascend do not: its y, the lengths of \
-             a gap, the places of friction, or shifts";
+             than 4) or a negative step, or numbers that must ascend do not, such as the y of a \
+             patch, the lengths of a gap, the places of friction or shifts",
+            "pass more points, and sort these numbers";
         KSTRIP_ERROR_PROFILE_END ProfileEnd = -45:
             "a profile ends where the bodies would touch, or the wheel is beside the rail",
             "pass more of the profile, or its rounded edge where the body ends";
@@ -210,8 +214,8 @@ statuses! {
             "a gauge, a place of a rail or a distance of wheels is missing or negative",
             "they must be > 0 (metres)";
         KSTRIP_ERROR_WHEEL_LIFTED WheelLifted = -61:
-            "no position of the wheelset balances the loads",
-            "a wheel lifts";
+            "no position of the wheelset balances the loads, because a wheel lifts",
+            "reduce the roll moment, or increase the vertical load";
         KSTRIP_ERROR_CONICITY Conicity = -62:
             "no wave has this amplitude: it is not positive or beyond the shifts, or the radii \
              turn the wheelset away from the middle",
@@ -284,12 +288,14 @@ statuses! {
             "more than one coefficient of friction fits: with falling friction the result has the \
              largest, which is reached from rest, and an estimate is the smallest";
         KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5 gravity 6:
-            "an iteration ended before its result was accurate to rounding";
+            "an iteration ended before its result was accurate to rounding",
+            "the result is the nearest that was found";
         KSTRIP_WARNING_FRICTION_AT_LEAST FrictionAtLeast = 6 gravity 4:
             "the contact sticks, so that the result is only a lower bound of friction",
             "measure at larger creepage";
         KSTRIP_WARNING_CREEPAGE_AT_LEAST CreepageAtLeast = 7 gravity 4:
-            "the requested force is that of full sliding, and every larger creepage has it as well";
+            "the requested force is that of full sliding, and every larger creepage has it as well",
+            "request less force, if one creepage is needed";
         KSTRIP_WARNING_PRESSURE Pressure = 8 gravity IMPLAUSIBLE:
             "implausible pressure, above a tenth of the shear modulus: the modulus (Pa), the \
              load (N) or the semi-axes (m) are probably in another unit";
@@ -310,13 +316,15 @@ statuses! {
             "the result is bounded by mu N and has the right limits";
         KSTRIP_WARNING_MISMATCH Mismatch = 15 gravity 1:
             "the mismatch of the materials exceeds 0.25, where the model was not compared with \
-             its reference, and the result is bounded by mu N";
+             its reference",
+            "the result is bounded by mu N";
         KSTRIP_WARNING_MISMATCH_NEGLECTED MismatchNeglected = 16 gravity 1:
             "the theory of 1967 neglects the mismatch of the materials",
             "use another model, or set it to 0";
         KSTRIP_WARNING_CONFORMAL Conformal = 17 gravity 1:
             "a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies \
-             are not half-spaces, and the result is that of half-spaces";
+             are not half-spaces",
+            "the result is that of half-spaces";
         KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19 gravity 2:
             "the normal turns by more than 30 degrees over a contact of a wheel, so that one \
              plane of contact is not enough: forces may be off by some tenths of mu N";
