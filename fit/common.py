@@ -36,7 +36,7 @@ def number(x):
 
 
 def write_constants(path, header, entries):
-    """Rust file of f32 constants: `entries` are (doc, NAME, array or number); three axes at most, the last one in pairs then.
+    """Rust file of f32 constants: `entries` are (doc, NAME, array or number), of two axes at most.
 
     A number becomes an f64 of which no more is written than a single precision has."""
     lines = [f"//! {line}".rstrip() for line in header] + ["// Generated: change the script, not this file.", ""]
@@ -45,32 +45,31 @@ def write_constants(path, header, entries):
         lines.append(f"/// {doc}")
         if value.ndim == 0:
             lines.append(f"pub(crate) const {name}: f64 = {number(value)};")
-        elif value.ndim == 1:
-            lines.append("#[rustfmt::skip]")
-            lines.append(f"pub(crate) const {name}: [f32; {len(value)}] = [")
-            lines += wrap(value, 4)
-            lines.append("];")
-        else:
-            row_type = f"[f32; {value.shape[1]}]" if value.ndim == 2 else f"[[f32; 2]; {value.shape[1]}]"
-            lines.append("#[rustfmt::skip]")
-            lines.append(f"pub(crate) const {name}: [{row_type}; {value.shape[0]}] = [")
-            for row in value:
-                lines += ["    ["] + wrap(row, 8) + ["    ],"]
-            lines.append("];")
+            continue
+        kind = "".join(f"; {n}]" for n in value.shape[::-1])
+        head = f"pub(crate) const {name}: {'[' * value.ndim}f32{kind} = "
+        lines += ["#[rustfmt::skip]", *(listed(value, head, "", ";") if value.ndim == 1 else [head + "[", *rows_of(value), "];"])]
     os.makedirs(os.path.dirname(path), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         file.write("\n".join(lines) + "\n")
 
 
-def wrap(values, indent, width=100):
-    lines, line = [], ""
-    for value in values:
-        word = (number(value) if np.ndim(value) == 0 else f"[{number(value[0])}, {number(value[1])}]") + ", "
-        if len(line) + len(word) + indent > width:
-            lines.append(" " * indent + line.rstrip())
-            line = ""
-        line += word
-    return lines + [" " * indent + line.rstrip()]
+def rows_of(table):
+    return [line for row in table for line in listed(row, "", "    ", ",")]
+
+
+def listed(row, head, indent, end, width=100):
+    """A list of numbers, on one line if there is room."""
+    words = [number(value) for value in row]
+    whole = f"{indent}{head}[{', '.join(words)}]{end}"
+    if len(whole) <= width:
+        return [whole]
+    lines = [""]
+    for word in words:
+        if len(indent) + 4 + len(lines[-1]) + len(word) + 1 > width:
+            lines.append("")
+        lines[-1] += word + ", "
+    return [f"{indent}{head}[", *(f"{indent}    {line.rstrip()}" for line in lines), f"{indent}]{end}"]
 
 
 def read_constants(path):
@@ -91,16 +90,16 @@ COUPLES = (("E11", "E22"), ("E23", "E33"), ("N23", "N33"))
 
 
 def couple(k, first, second):
-    """Two polynomials side by side: for each power of x the constant parts, then the factors of nu."""
+    """Two polynomials side by side: for each power of x both constant parts, then both factors of nu."""
     columns = [np.append(k[name], np.zeros(8 - len(k[name]))).reshape(4, 2) for name in (first, second)]
-    return np.stack(columns, 2)
+    return np.stack(columns, 2).reshape(4, 4)
 
 
 def stored_coefficients():
     found = read_constants(COEFFICIENTS)
     out = {"M33": found["M33"]}
     for first, second in COUPLES:
-        out[first], out[second] = (found[f"{first}_{second}"][:, :, i].ravel() for i in (0, 1))
+        out[first], out[second] = (found[f"{first}_{second}"][:, i::2].ravel() for i in (0, 1))
     return out
 
 

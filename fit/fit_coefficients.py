@@ -95,7 +95,7 @@ def main():
         "",
         "Written by `fit/fit_coefficients.py` from `fit/data/kalker_coefficients.csv` (computed with CONTACT,",
         "Vollebregt, Vtech CMCC, Apache-2.0). Two polynomials side by side, lowest power of x first: for each power",
-        "the pair of constant parts, then the pair of factors of ν.",
+        "both constant parts, then both factors of ν.",
     ]
     docs = ("Denominators of C11 and C22.", "Denominators of C23 and C33.", "Numerators of C23 and C33.")
     entries = [(doc, "_".join(names), common.couple(found, *names)) for doc, names in zip(docs, common.COUPLES)]

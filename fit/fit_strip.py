@@ -27,6 +27,7 @@ OUT = os.path.join(FOLDER, "constants.rs")
 LONG = os.path.join(FOLDER, "long_constants.rs")
 STRIPS = 16
 FEATURES, UNITS, CORRECTIONS = 13, 20, 8
+CONTACT = [3, 4]  # features of the contact alone
 COUNT = FEATURES * UNITS + UNITS + UNITS * CORRECTIONS + CORRECTIONS
 
 # The kernel: nodes on the slip part of a strip, their stagger from strip to strip, and smoothing
@@ -745,10 +746,10 @@ def write(p, note):
             *note,
         ],
         [
-            ("Fitted: one row of weights per feature.", "HIDDEN", m1),
-            ("Fitted: offsets of the units.", "HIDDEN_OFFSET", b1),
+            ("Fitted: offsets of the units, and weights of the features of the contact.", "FIXED", np.vstack([b1, m1[CONTACT]])),
+            ("Fitted: one row of weights per feature.", "INPUT", np.delete(m1, CONTACT, 0)),
             ("Fitted: one row of weights per unit.", "OUTPUT", m2),
-            ("Fitted: offsets of the corrections.", "OUTPUT_OFFSET", b2),
+            ("Fitted: offsets of the corrections.", "OFFSET", b2),
         ],
     )
     lines = ["/// Nodes on the slip part of a strip.", f"pub(crate) const NODES: usize = {NODES};"]
@@ -819,7 +820,8 @@ def write_nodes():
 
 def read_back():
     k = common.read_constants(OUT)
-    return np.concatenate([k[name].ravel() for name in ("HIDDEN", "HIDDEN_OFFSET", "OUTPUT", "OUTPUT_OFFSET")])
+    m1 = np.insert(k["INPUT"], CONTACT[0], k["FIXED"][1:], 0)
+    return np.concatenate([part.ravel() for part in (m1, k["FIXED"][0], k["OUTPUT"], k["OFFSET"])])
 
 
 def numbers(p):

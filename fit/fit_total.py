@@ -648,13 +648,9 @@ def fit(quick, seed, from_stored):
 # --- constants -------------------------------------------------------------------------------
 
 
-def pairs(layer):
-    return layer.reshape(len(layer), -1, 2)
-
-
 def write(model, path):
     header = [
-        "Constants of the model TOTAL: rigid slip, and a network of two hidden layers, its units side by side in pairs.",
+        "Constants of the model TOTAL: rigid slip, and a network of two hidden layers.",
         "",
         "Written by `fit/fit_total.py` from `fit/data/train.csv`, `train_fine.csv` and `train_slender.csv` (computed with CONTACT,",
         "Vollebregt, Vtech CMCC, Apache-2.0) and `boundary_elements.csv`.",
@@ -668,10 +664,10 @@ def write(model, path):
         ("The part of it that is even in s.", "RIGID_ARM_EVEN", RIGID["RIGID_ARM_EVEN"]),
         ("Rigid slip: size of the slip in the moment.", "RIGID_SIZE", RIGID["RIGID_SIZE"]),
         ("The part of it that is even in s.", "RIGID_SIZE_EVEN", RIGID["RIGID_SIZE_EVEN"]),
-        ("First hidden layer: bias, then a row for each input that depends on the contact only.", "FIXED", pairs(first[: 1 + FIXED])),
-        ("First hidden layer: a row for each other input.", "FIRST", pairs(first[1 + FIXED :])),
-        ("Second hidden layer: bias, then a row for each unit of the first.", "SECOND", pairs(second)),
-        ("Corrections: a row for each, over the units of the second hidden layer.", "LAST", pairs(last[1:].T)),
+        ("First hidden layer: bias, then a row for each input that depends on the contact only.", "FIXED", first[: 1 + FIXED]),
+        ("First hidden layer: a row for each other input.", "FIRST", first[1 + FIXED :]),
+        ("Second hidden layer: bias, then a row for each unit of the first.", "SECOND", second),
+        ("Corrections: a row for each, over the units of the second hidden layer.", "LAST", last[1:].T),
         ("Corrections: bias.", "LAST_BIAS", last[0]),
         *((doc, name, float(value)) for (name, (doc, _)), value in zip(FRAME.items(), constants_of(model[3]).values())),
     ])  # fmt: skip
@@ -679,11 +675,10 @@ def write(model, path):
 
 def stored(path):
     found = common.read_constants(path)
-    single = {name: found[name].reshape(len(found[name]), -1) for name in ("FIXED", "FIRST", "SECOND", "LAST")}
     return [
-        np.vstack([single["FIXED"], single["FIRST"]]),
-        single["SECOND"],
-        np.vstack([found["LAST_BIAS"], single["LAST"].T]),
+        np.vstack([found["FIXED"], found["FIRST"]]),
+        found["SECOND"],
+        np.vstack([found["LAST_BIAS"], found["LAST"].T]),
         np.log([found[name] / first for name, (_, first) in FRAME.items()]),
     ]
 

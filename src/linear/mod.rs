@@ -15,7 +15,7 @@ mod constants;
 
 use self::constants::{E11_E22, E23_E33, M33, N23_N33};
 use crate::number::avx::with_avx;
-use crate::number::tables::{couples_as_rows, row, table, widen};
+use crate::number::tables::{row, table, widen};
 use crate::number::{Arithmetic, Pair, Real};
 use core::f64::consts::{LN_2, PI};
 
@@ -89,7 +89,7 @@ impl<F: Real> LinearCoefficients<F> {
 
         // a ≫ b: C11 = 2π g/(Λ − 2ν − k);  a ≪ b: C11 = π²/(4(1−ν))
         // a ≫ b: C22 = 2π g/((1−ν)(Λ − k) + 2ν);  a ≪ b: C22 = π²/4
-        let fitted = cubic(table!(F, couples_as_rows(&E11_E22))) * both(w);
+        let fitted = cubic(table!(F, widen(&E11_E22))) * both(w);
         let near = pair(n, one) * both(y.times(8.0 / PI));
         let far = pair(one, n).times(LN_16 - K) + pair(-two_nu, two_nu);
         let denominators = line(far * both(z) + (near + fitted), pair(z + z, nz + nz));
@@ -106,11 +106,11 @@ impl<F: Real> LinearCoefficients<F> {
                 (y * n + z) + (nu * y).times(LN_16 - 4.0),
                 (linear * zl + z * nu.times(6.0).plus(-2.0)).times(PI / 4.0)
                     + y.times(PI * PI / 8.0),
-            ) + cubic(table!(F, couples_as_rows(&N23_N33))) * both(w),
+            ) + cubic(table!(F, widen(&N23_N33))) * both(w),
             pair(nu * y, linear * z.times(PI / 2.0) + w2 * (n0 + n1 * nu)),
         );
         let denominators = line(
-            both(e) + cubic(table!(F, couples_as_rows(&E23_E33))) * both(w),
+            both(e) + cubic(table!(F, widen(&E23_E33))) * both(w),
             both(nz + nz) + pair(F::zero(), w2 * (e0 + e1 * nu)),
         );
         let factors = pair(root.times(2.0 * PI / 3.0), one) * both(r);

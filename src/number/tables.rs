@@ -39,46 +39,6 @@ pub(crate) const fn widen<const R: usize, const C: usize>(table: &[[f32; C]; R])
     wide
 }
 
-/// Rows of couples as rows of numbers, `C = 2 P` in each, in double precision.
-pub(crate) const fn couples_as_rows<const R: usize, const P: usize, const C: usize>(
-    table: &[[[f32; 2]; P]; R],
-) -> [[f64; C]; R] {
-    let mut rows = [[0.0; C]; R];
-    let mut i = 0;
-    while i < R * C {
-        rows[i / C][i % C] = table[i / C][i % C / 2][i % 2] as f64;
-        i += 1;
-    }
-    rows
-}
-
-/// Rows with the columns of even number first, then the others.
-pub(crate) const fn evens_first<const R: usize, const C: usize>(
-    table: &[[f64; C]; R],
-) -> [[f64; C]; R] {
-    let mut sorted = [[0.0; C]; R];
-    let mut i = 0;
-    while i < R * C {
-        let column = i % C;
-        sorted[i / C][column / 2 + column % 2 * (C / 2)] = table[i / C][column];
-        i += 1;
-    }
-    sorted
-}
-
-/// Every second row, from this one on.
-pub(crate) const fn every_second<const R: usize, const C: usize, const HALF: usize>(
-    table: &[[f32; C]; R], first: usize,
-) -> [[f64; C]; HALF] {
-    let (table, mut rows) = (widen(table), [[0.0; C]; HALF]);
-    let mut i = 0;
-    while i < HALF {
-        rows[i] = table[first + 2 * i];
-        i += 1;
-    }
-    rows
-}
-
 /// A row of numbers.
 pub(crate) fn row<F: Real, const C: usize>(stored: &[F::Stored; C]) -> [F; C] {
     F::each(stored, |x| F::stored(*x))

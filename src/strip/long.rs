@@ -7,7 +7,7 @@
 
 use super::long_constants::{FIXED, INPUT, OFFSET, OUTPUT};
 use super::network::{CORRECTIONS, Layers};
-use crate::number::tables::{add_rows_to, evens_first, every_second, table, widen};
+use crate::number::tables::{add_rows_to, table, widen};
 use crate::number::{Number, Real, Strips, inverses};
 use crate::numerics::ramp;
 
@@ -43,7 +43,7 @@ impl<F: Real> LongContact<F> {
         }
         let length = ratio.times(2.0).plus(-2.4);
         let fixed = [length, length.squared(), poisson, poisson * length];
-        let [offset, weights @ ..] = table!(F, evens_first(&widen(&FIXED)));
+        let [offset, weights @ ..] = table!(F, widen(&FIXED));
         let start = add_rows_to::<F, F::Four, _, _>(offset, fixed.iter().copied(), weights);
         Self { share, small: root.squared().squared().inverse().times(0.1), start }
     }
@@ -92,9 +92,7 @@ impl<F: Real> LongContact<F> {
             all,
         ];
         let [offset] = table!(F, widen(&[OFFSET]));
-        let input = table!(F, evens_first(&widen(&INPUT)));
-        let output: [&[_; UNITS / 2]; 2] =
-            [table!(F, every_second(&OUTPUT, 0)), table!(F, every_second(&OUTPUT, 1))];
+        let (input, output) = (table!(F, widen(&INPUT)), table!(F, widen(&OUTPUT)));
         let layers = Layers { start: &self.start, input, offset, output };
         let corrections = layers.strip_corrections::<T, P>(inputs);
         T::each(&corrections, |correction| correction.scale(self.share))

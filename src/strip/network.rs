@@ -1,34 +1,13 @@
 //! The fitted corrections: thirteen features, one layer of units `h/√(1 + h²)`, eight corrections.
 
-use super::constants::{HIDDEN, HIDDEN_OFFSET, OUTPUT, OUTPUT_OFFSET};
-use crate::number::tables::{add_rows, add_rows_to, evens_first, every_second, row, table, widen};
+use super::constants::{FIXED, INPUT, OFFSET, OUTPUT};
+use crate::number::tables::{add_rows, add_rows_to, row, table, widen};
 use crate::number::{Number, Real, Strips, add};
 
-pub(super) const CORRECTIONS: usize = OUTPUT_OFFSET.len();
-const UNITS: usize = HIDDEN_OFFSET.len();
-/// Half of the units. Those of even number stand first, because the corrections are sums of two
-/// chains.
-const HALF: usize = UNITS / 2;
-const FEATURES: usize = HIDDEN.len();
-/// Features that depend on the contact alone: the axis ratio and Poisson's ratio.
-const FIXED_FEATURES: [usize; 2] = [3, 4];
-/// Features that depend on the motion as well.
-pub(super) const INPUTS: usize = FEATURES - FIXED_FEATURES.len();
-
-const OFFSETS: [[f32; UNITS]; 3] =
-    [HIDDEN_OFFSET, HIDDEN[FIXED_FEATURES[0]], HIDDEN[FIXED_FEATURES[1]]];
-const MOVING: [[f32; UNITS]; INPUTS] = {
-    let mut rows = [[0.0; UNITS]; INPUTS];
-    let (mut i, mut k) = (0, 0);
-    while i < FEATURES {
-        if i != FIXED_FEATURES[0] && i != FIXED_FEATURES[1] {
-            rows[k] = HIDDEN[i];
-            k += 1;
-        }
-        i += 1;
-    }
-    rows
-};
+pub(super) const CORRECTIONS: usize = OFFSET.len();
+const UNITS: usize = OUTPUT.len();
+/// Features that depend on the motion; two others depend on the contact alone.
+pub(super) const INPUTS: usize = INPUT.len();
 
 /// The network of one contact.
 #[derive(Clone, Copy, Debug)]
@@ -41,39 +20,31 @@ impl<F: Real> StripNetwork<F> {
     /// From `2(√g − 1)/(√g + 1)` and `4ν − 1`.
     #[inline(always)]
     pub fn new(ratio: F, poisson: F) -> Self {
-        let [offset, weights @ ..] = table!(F, evens_first(&widen(&OFFSETS)));
-        Self {
-            start: add_rows_to::<F, F::Four, _, _>(
-                offset,
-                [ratio, poisson].iter().copied(),
-                weights,
-            ),
-        }
+        let [offset, weights @ ..] = table!(F, widen(&FIXED));
+        let fixed = [ratio, poisson];
+        Self { start: add_rows_to::<F, F::Four, _, _>(offset, fixed.iter().copied(), weights) }
     }
 
     /// The network with its weights.
     #[inline(always)]
-    pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS, HALF> {
-        let [offset] = table!(F, widen(&[OUTPUT_OFFSET]));
-        let input = table!(F, evens_first(&widen(&MOVING)));
-        let output = [table!(F, every_second(&OUTPUT, 0)), table!(F, every_second(&OUTPUT, 1))];
+    pub fn layers(&self) -> Layers<'_, F, INPUTS, UNITS> {
+        let [offset] = table!(F, widen(&[OFFSET]));
+        let (input, output) = (table!(F, widen(&INPUT)), table!(F, widen(&OUTPUT)));
         Layers { start: &self.start, input, offset, output }
     }
 }
 
 /// One layer of units, and corrections.
-pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize> {
+pub(super) struct Layers<'a, F: Real, const INPUTS: usize, const UNITS: usize> {
     /// Sums of the units over the features of the contact.
     pub start: &'a [F; UNITS],
-    /// Weights of the other inputs, of the corrections themselves, and of both halves of the units.
+    /// Weights of the other inputs, offsets of the corrections, and weights of the units.
     pub input: &'static [[F::Stored; UNITS]; INPUTS],
     pub offset: &'static [F::Stored; CORRECTIONS],
-    pub output: [&'static [[F::Stored; CORRECTIONS]; HALF]; 2],
+    pub output: &'static [[F::Stored; CORRECTIONS]; UNITS],
 }
 
-impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
-    Layers<'_, F, INPUTS, UNITS, HALF>
-{
+impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNITS> {
     /// The corrections, with the sums side by side in `P`. Out of line where code must be small; in
     /// wide registers it is inlined, because only the caller's code is compiled for them.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
@@ -114,15 +85,15 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize, const HALF: usize>
     }
 }
 
-/// The last layer, in two chains of additions.
+/// The last layer, in two chains of additions, one for each half of the units.
 #[inline(always)]
-fn last<F: Real, const UNITS: usize, const HALF: usize>(
-    units: &[F; UNITS], start: [F; CORRECTIONS],
-    [of_evens, of_odds]: [&[[F::Stored; CORRECTIONS]; HALF]; 2],
+fn last<F: Real, const UNITS: usize>(
+    units: &[F; UNITS], start: [F; CORRECTIONS], weights: &[[F::Stored; CORRECTIONS]; UNITS],
 ) -> [F; CORRECTIONS] {
     let (mut sums, mut others) = (start, [F::zero(); CORRECTIONS]);
-    let units = units.iter().zip(units.iter().skip(HALF));
-    for ((a, b), (of_a, of_b)) in units.zip(of_evens.iter().zip(of_odds)) {
+    let units = units.iter().zip(units.iter().skip(UNITS / 2));
+    let weights = weights.iter().zip(weights.iter().skip(UNITS / 2));
+    for ((a, b), (of_a, of_b)) in units.zip(weights) {
         for ((sum, other), (p, q)) in sums.iter_mut().zip(&mut others).zip(of_a.iter().zip(of_b)) {
             *sum += *a * F::stored(*p);
             *other += *b * F::stored(*q);

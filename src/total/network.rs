@@ -2,7 +2,7 @@
 //! respect to its inputs.
 
 use super::constants::{FIRST, FIXED, LAST, LAST_BIAS, SECOND};
-use crate::number::tables::{add_rows, add_rows_to, couples_as_rows, row, table, widen};
+use crate::number::tables::{add_rows, add_rows_to, row, table, widen};
 use crate::number::{Number, Real, Strips};
 
 /// What the network is told that depends on the contact only, and the rest.
@@ -10,9 +10,7 @@ const FIXED_INPUTS: usize = FIXED.len() - 1;
 const INPUTS: usize = FIRST.len();
 /// Units of the two hidden layers.
 const UNITS_1: usize = SECOND.len() - 1;
-const UNITS_2: usize = 2 * LAST[0].len();
-/// The weights of each output.
-const LAST_ROWS: [[f64; UNITS_2]; 6] = couples_as_rows(&LAST);
+const UNITS_2: usize = LAST[0].len();
 
 /// Six corrections for one contact: sums of the first layer over what depends on the contact only.
 #[derive(Clone, Copy, Debug)]
@@ -23,7 +21,7 @@ pub(super) struct TotalNetwork<F> {
 impl<F: Real> TotalNetwork<F> {
     #[inline(always)]
     pub(super) fn for_fixed_inputs(fixed: [F; FIXED_INPUTS]) -> Self {
-        let [offset, weights @ ..] = table!(F, couples_as_rows(&FIXED));
+        let [offset, weights @ ..] = table!(F, widen(&FIXED));
         Self { sums: add_rows_to::<F, F::Four, _, _>(offset, fixed.iter().copied(), weights) }
     }
 
@@ -34,8 +32,8 @@ impl<F: Real> TotalNetwork<F> {
     pub(super) fn total_corrections<T: Number<Base = F>, P: Strips<F>>(
         &self, inputs: [T; INPUTS],
     ) -> [T; 6] {
-        let first = table!(F, couples_as_rows(&FIRST));
-        let [second_offset, second @ ..] = table!(F, couples_as_rows(&SECOND));
+        let first = table!(F, widen(&FIRST));
+        let [second_offset, second @ ..] = table!(F, widen(&SECOND));
         let [last_offset] = table!(F, widen(&[LAST_BIAS]));
         let sums = add_rows::<F, P, _, _>(&self.sums, inputs.iter().map(|x| x.value()), first);
         let (units, slopes_1) = activation(sums);
@@ -60,8 +58,8 @@ impl<F: Real> TotalNetwork<F> {
 fn moved<F: Real, P: Strips<F>>(
     moves: impl Iterator<Item = F> + Clone, slopes_1: &[F; UNITS_1], slopes_2: &[F; UNITS_2],
 ) -> [F; 6] {
-    let first = table!(F, couples_as_rows(&FIRST));
-    let [_, second @ ..] = table!(F, couples_as_rows(&SECOND));
+    let first = table!(F, widen(&FIRST));
+    let [_, second @ ..] = table!(F, widen(&SECOND));
     let units = times(add_rows::<F, P, _, _>(&[F::zero(); UNITS_1], moves, first), slopes_1);
     let units = add_rows::<F, P, _, _>(&[F::zero(); UNITS_2], units.iter().copied(), second);
     last_layer(&times(units, slopes_2), [F::zero(); 6])
@@ -70,7 +68,7 @@ fn moved<F: Real, P: Strips<F>>(
 /// The last layer: four chains of sums for each output.
 #[inline(always)]
 fn last_layer<F: Real>(units: &[F; UNITS_2], mut outputs: [F; 6]) -> [F; 6] {
-    for (output, weights) in outputs.iter_mut().zip(table!(F, LAST_ROWS)) {
+    for (output, weights) in outputs.iter_mut().zip(table!(F, widen(&LAST))) {
         let mut sums = [*output, F::zero(), F::zero(), F::zero()];
         for (units, weights) in units.chunks(4).zip(weights.chunks(4)) {
             for ((sum, unit), weight) in sums.iter_mut().zip(units).zip(weights) {

@@ -14,7 +14,7 @@
 
 use super::constants::*;
 use crate::number::tables::{row, table, widen};
-use crate::number::{Arithmetic, Number, Pair, Real};
+use crate::number::{Arithmetic, Dual, Number, Pair, Real};
 
 /// Coefficients for one axis ratio.
 #[derive(Clone, Copy, Debug)]
@@ -113,16 +113,17 @@ impl<F: Real> RigidSlip<F> {
         let shares = [vx2 * share, vy2 * share, spin2 * share];
         let [u, v, t] = shares;
         let [x, y, z, d, arm] = self.polynomials(u.value(), v.value(), t.value());
-        let (x, y) = (x.of_shares(shares) * vx, y.of_shares(shares) * vy);
-        let force = (x * x + y * y + n * z.of_shares(shares)).plus(1e-30);
-        let moment = (n * d.of_shares(shares)).plus(1e-30);
+        let of_shares = |f: OfShares<F>| T::composed(f.value, f.gradient, shares);
+        let (x, y) = (of_shares(x) * vx, of_shares(y) * vy);
+        let force = (x * x + y * y + n * of_shares(z)).plus(1e-30);
+        let moment = (n * of_shares(d)).plus(1e-30);
         let (f, m) = T::Pair::couple(force, moment).sqrt().inverse().parts();
-        ([x * f, y * f, phi * arm.of_shares(shares) * m], t)
+        ([x * f, y * f, phi * of_shares(arm) * m], t)
     }
 
     /// `bx, by`, `Z`, `D` and `(g + 1/g) A` for the shares `U, V, T`.
     #[inline(always)]
-    fn polynomials(&self, u: F, v: F, t: F) -> [Sloped<F>; 5] {
+    fn polynomials(&self, u: F, v: F, t: F) -> [OfShares<F>; 5] {
         let (u2, uv, v2, w) = (u * u, u * v, v * v, u + v);
         let (w2, squares) = (w * w, [u2, uv, v2]);
         // bx = (U + V)² + T (p U + q V + r T), by with V and U across
@@ -130,71 +131,60 @@ impl<F: Real> RigidSlip<F> {
         let (p, q) = (mean(of_x, [u, v, t]), mean(of_y, [v, u, t]));
         let ([xu, xv, xt], [yv, yu, yt], double) = (of_x, of_y, w + w);
         let x =
-            Sloped { value: w2 + t * p, slopes: [double + t * xu, double + t * xv, p + t * xt] };
+            Dual { value: w2 + t * p, gradient: [double + t * xu, double + t * xv, p + t * xt] };
         let y =
-            Sloped { value: w2 + t * q, slopes: [double + t * yu, double + t * yv, q + t * yt] };
+            Dual { value: w2 + t * q, gradient: [double + t * yu, double + t * yv, q + t * yt] };
         let [k0, k1, k2, k3, k4, k5, k6, k7, k8, k9, k10, k11, k12, k13, k14] = self.spin;
-        let second = Sloped {
+        let second = Dual {
             value: mean([k3, k4, k5], squares),
-            slopes: [k3 * (u + u) + k4 * v, k4 * u + k5 * (v + v), F::zero()],
+            gradient: [k3 * (u + u) + k4 * v, k4 * u + k5 * (v + v), F::zero()],
         };
-        let first = Sloped { value: k0 * t + k1 * u + k2 * v, slopes: [k1, k2, k0] };
-        let third = Sloped {
+        let first = Dual { value: k0 * t + k1 * u + k2 * v, gradient: [k1, k2, k0] };
+        let third = Dual {
             value: u * (u2 * k6 + uv * k7) + v * (uv * k8 + v2 * k9),
-            slopes: [
+            gradient: [
                 k6.times(3.0) * u2 + (k7 + k7) * uv + k8 * v2,
                 k7 * u2 + (k8 + k8) * uv + k9.times(3.0) * v2,
                 F::zero(),
             ],
         };
-        let fourth = Sloped {
+        let fourth = Dual {
             value: u2 * mean([k10, k11, k12], squares) + v2 * (uv * k13 + v2 * k14),
-            slopes: [
+            gradient: [
                 u * (k10.times(4.0) * u2 + k11.times(3.0) * uv + (k12 + k12) * v2) + v * v2 * k13,
                 v * (k14.times(4.0) * v2 + k13.times(3.0) * uv + (k12 + k12) * u2) + u * u2 * k11,
                 F::zero(),
             ],
         };
-        let z = first.times_plus(t, &second).times_plus(t, &third).times_plus(t, &fourth);
-        let [by_u, by_v, by_t] = z.slopes;
-        let z = Sloped { value: t * z.value, slopes: [t * by_u, t * by_v, z.value + t * by_t] };
+        let z = times_plus(&times_plus(&times_plus(&first, t, &second), t, &third), t, &fourth);
+        let [by_u, by_v, by_t] = z.gradient;
+        let z = Dual { value: t * z.value, gradient: [t * by_u, t * by_v, z.value + t * by_t] };
         let [d0, d1, d2, d3, d4, d5] = self.size;
-        let size = Sloped { value: t * d0 + u * d1 + v * d2, slopes: [d1, d2, d0] };
-        let of_squares = Sloped {
+        let size = Dual { value: t * d0 + u * d1 + v * d2, gradient: [d1, d2, d0] };
+        let of_squares = Dual {
             value: mean([d3, d4, d5], squares),
-            slopes: [d3 * (u + u) + d4 * v, d4 * u + d5 * (v + v), F::zero()],
+            gradient: [d3 * (u + u) + d4 * v, d4 * u + d5 * (v + v), F::zero()],
         };
         // (U + V)³
         let cubed = w2.times(3.0);
-        let cube = Sloped { value: w * w2, slopes: [cubed, cubed, F::zero()] };
-        let d = size.times_plus(t, &of_squares).times_plus(t, &cube);
+        let cube = Dual { value: w * w2, gradient: [cubed, cubed, F::zero()] };
+        let d = times_plus(&times_plus(&size, t, &of_squares), t, &cube);
         let [au, av, at] = self.arm;
-        let arm = Sloped { value: u * au + v * av + t * at, slopes: [au, av, at] };
+        let arm = Dual { value: u * au + v * av + t * at, gradient: [au, av, at] };
         [x, y, z, d, arm]
     }
 }
 
-/// A function of `U, V, T` and its derivatives with respect to them.
-struct Sloped<F> {
-    value: F,
-    slopes: [F; 3],
-}
+/// A function of `U, V, T` with its derivatives.
+type OfShares<F> = Dual<F, 3>;
 
-impl<F: Real> Sloped<F> {
-    /// The number, with derivatives through those of the shares.
-    #[inline(always)]
-    fn of_shares<T: Number<Base = F>>(&self, shares: [T; 3]) -> T {
-        T::composed(self.value, self.slopes, shares)
-    }
-
-    /// `t f + g`
-    #[inline(always)]
-    fn times_plus(&self, t: F, other: &Self) -> Self {
-        let ([by_u, by_v, by_t], [of_u, of_v, of_t]) = (self.slopes, other.slopes);
-        Self {
-            value: t * self.value + other.value,
-            slopes: [t * by_u + of_u, t * by_v + of_v, self.value + t * by_t + of_t],
-        }
+/// `t f + g`
+#[inline(always)]
+fn times_plus<F: Real>(f: &OfShares<F>, t: F, g: &OfShares<F>) -> OfShares<F> {
+    let ([by_u, by_v, by_t], [of_u, of_v, of_t]) = (f.gradient, g.gradient);
+    Dual {
+        value: t * f.value + g.value,
+        gradient: [t * by_u + of_u, t * by_v + of_v, f.value + t * by_t + of_t],
     }
 }
 

@@ -9,7 +9,7 @@ const ITEMS: [&str; 2] = ["F", "F32Pair"];
 
 /// Constants of more than one file that have the same meaning in each: parts of the networks,
 /// bounds of the same quantity, and the damping of Newton's steps.
-const CONSTANTS: &str = "CELLS DAMPING FIXED INPUTS OUTPUT RATIO_LIMIT UNITS";
+const CONSTANTS: &str = "CELLS DAMPING FIXED INPUT INPUTS OFFSET OUTPUT RATIO_LIMIT UNITS";
 
 /// Methods of more than one type that have the same meaning for each.
 ///

@@ -31,11 +31,11 @@ _FULL = 3.0 * math.pi / 4.0
 
 
 def _layer(rows: Any) -> list[list[float]]:
-    """The weights of a layer, of which the sources have couples: for each unit the bias and the factor of each input."""
-    return [list(unit) for unit in zip(*([weight for couple in row for weight in couple] for row in rows))]
+    """The weights of a layer: for each unit the bias and the factor of each input."""
+    return [list(unit) for unit in zip(*rows)]
 
 
-_LAYERS = _layer([*FIXED, *FIRST]), _layer(SECOND), [[bias, *sum(rows, [])] for bias, rows in zip(LAST_BIAS, LAST)]
+_LAYERS = _layer([*FIXED, *FIRST]), _layer(SECOND), [[bias, *row] for bias, row in zip(LAST_BIAS, LAST)]
 
 
 def total(a: Any, b: Any, normal_force: Any, shear_modulus: Any, poisson_ratio: Any, friction: Any, longitudinal: Any = 0.0, lateral: Any = 0.0,
@@ -85,7 +85,7 @@ def _linear(g: Any, nu: Any, xp: Any) -> tuple[Any, Any, Any, Any]:
     e0, e1, n0, n1 = M33
 
     def fitted(table: Any, i: int) -> Any:
-        return w * _polynomial([constant[i] + of_nu[i] * nu for constant, of_nu in table], x)
+        return w * _polynomial([row[i] + row[i + 2] * nu for row in table], x)
 
     d11 = z * (ln16 - k - 2.0 * nu) + y * n * (8.0 / math.pi) + fitted(E11_E22, 0) + 2.0 * z * m
     d22 = z * (n * (ln16 - k) + 2.0 * nu) + y * (8.0 / math.pi) + fitted(E11_E22, 1) + 2.0 * n * z * m
