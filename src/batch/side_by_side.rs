@@ -14,14 +14,12 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces::derivatives::{Derivatives, with_slopes};
 use crate::forces::options::{Model, Options, Solution};
-use crate::forces::theory::{
-    EllipseStrips, Forces, Linear, ScaledContact, Strip1967, Theory, Total,
-};
+use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
 use crate::forces::warning::{LARGEST_SPIN, RATIOS, linear_warning, model_warning};
 use crate::friction::SlipFriction;
 use crate::number::avx::{has_avx, has_avx512};
 use crate::number::{Arithmetic, Float, Number, Real, Strips, length};
-use crate::status::Warning;
+use crate::status::{Error, Warning};
 use core::ops::Range;
 
 /// [`solve_batch`](crate::batch::solve_batch) of checked contacts side by side, if the processor
@@ -145,18 +143,12 @@ macro_rules! compiled_for {
                         continue;
                     }
                     let frame = &ScaledContact::new(&contact);
-                    let (forces, psi) = match options.model {
-                        Model::Strip1967 | Model::Strip1967Continuous => {
-                            forces::<_, Strip1967>(frame, &creepage, options)
-                        }
-                        Model::Strip => {
-                            forces::<_, EllipseStrips<F::$contacts>>(frame, &creepage, options)
-                        }
-                        Model::Total => forces::<_, Total<F::$contacts>>(frame, &creepage, options),
-                        Model::Linear => {
-                            forces::<_, Linear<F::$contacts>>(frame, &creepage, options)
-                        }
-                    };
+                    let (forces, psi) = by_model!(
+                        options.model,
+                        F::$contacts,
+                        forces(frame, &creepage, options),
+                        return Err((first, Error::ModelLeftOut))
+                    );
                     let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
                     for k in 0..F::$contacts::COUNT {
                         let solution = together.solution_of(k);
@@ -183,18 +175,12 @@ macro_rules! compiled_for {
                         continue;
                     }
                     let frame = &ScaledContact::new(&contact);
-                    let (forces, psi, slopes) = match options.model {
-                        Model::Strip1967 | Model::Strip1967Continuous => {
-                            slopes::<_, Strip1967>(frame, &creepage, options)
-                        }
-                        Model::Strip => {
-                            slopes::<_, EllipseStrips<F::$contacts>>(frame, &creepage, options)
-                        }
-                        Model::Total => slopes::<_, Total<F::$contacts>>(frame, &creepage, options),
-                        Model::Linear => {
-                            slopes::<_, Linear<F::$contacts>>(frame, &creepage, options)
-                        }
-                    };
+                    let (forces, psi, slopes) = by_model!(
+                        options.model,
+                        F::$contacts,
+                        slopes(frame, &creepage, options),
+                        return Err((first, Error::ModelLeftOut))
+                    );
                     let together = GroupResult::new(options.model, frame, &creepage, &forces, psi);
                     for (k, i) in numbers.enumerate() {
                         let (Contact { friction, .. }, creepage, _) = get(i);

@@ -63,7 +63,7 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
         let mut outputs = last(&units, row(self.offset), self.output).map(T::from_base);
         // Derivatives of the corrections, one input after the other.
         for direction in 0..T::DIRECTIONS {
-            let moved = self.moved::<P>(&slopes, inputs.iter().map(|x| x.derivative(direction)));
+            let moved = self.moved::<P>(&slopes, &F::each(&inputs, |x| x.derivative(direction)));
             for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
@@ -74,10 +74,9 @@ impl<F: Real, const INPUTS: usize, const UNITS: usize> Layers<'_, F, INPUTS, UNI
     /// Derivative of the corrections along a change of the inputs. Out of line for the same reason.
     #[cfg_attr(target_arch = "x86_64", inline(always))]
     #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
-    fn moved<P: Strips<F>>(
-        &self, slopes: &[F; UNITS], moves: impl Iterator<Item = F> + Clone,
-    ) -> [F; CORRECTIONS] {
-        let mut units = add_rows::<F, P, _, _>(&[F::zero(); UNITS], moves, self.input);
+    fn moved<P: Strips<F>>(&self, slopes: &[F; UNITS], moves: &[F; INPUTS]) -> [F; CORRECTIONS] {
+        let mut units =
+            add_rows::<F, P, _, _>(&[F::zero(); UNITS], moves.iter().copied(), self.input);
         for (h, slope) in units.iter_mut().zip(slopes) {
             *h = *h * *slope;
         }

@@ -42,8 +42,8 @@ impl<F: Real> TotalNetwork<F> {
         let mut outputs = last_layer(&units, row(last_offset)).map(T::from_base);
         // how they move with the inputs, one derivative after the other
         for direction in 0..T::DIRECTIONS {
-            let moves = inputs.iter().map(|x| x.derivative(direction));
-            let moved = moved::<F, P>(moves, &slopes_1, &slopes_2);
+            let moves = F::each(&inputs, |x| x.derivative(direction));
+            let moved = moved::<F, P>(&moves, &slopes_1, &slopes_2);
             for (output, moves) in outputs.iter_mut().zip(moved) {
                 output.set_derivative(direction, moves);
             }
@@ -56,11 +56,14 @@ impl<F: Real> TotalNetwork<F> {
 #[cfg_attr(target_arch = "x86_64", inline(always))]
 #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
 fn moved<F: Real, P: Strips<F>>(
-    moves: impl Iterator<Item = F> + Clone, slopes_1: &[F; UNITS_1], slopes_2: &[F; UNITS_2],
+    moves: &[F; INPUTS], slopes_1: &[F; UNITS_1], slopes_2: &[F; UNITS_2],
 ) -> [F; 6] {
     let first = table!(F, widen(&FIRST));
     let [_, second @ ..] = table!(F, widen(&SECOND));
-    let units = times(add_rows::<F, P, _, _>(&[F::zero(); UNITS_1], moves, first), slopes_1);
+    let units = times(
+        add_rows::<F, P, _, _>(&[F::zero(); UNITS_1], moves.iter().copied(), first),
+        slopes_1,
+    );
     let units = add_rows::<F, P, _, _>(&[F::zero(); UNITS_2], units.iter().copied(), second);
     last_layer(&times(units, slopes_2), [F::zero(); 6])
 }
