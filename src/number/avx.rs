@@ -8,10 +8,6 @@
 
 #![allow(unsafe_code)]
 
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-pub(super) use self::root::of_two;
-pub(super) use self::root::{of_f32, of_f64};
-
 #[inline]
 fn one_exceeds<T: PartialOrd, const N: usize>(a: [T; N], b: [T; N]) -> bool {
     a.iter().zip(&b).fold(false, |any, (a, b)| any | (a > b))
@@ -327,85 +323,4 @@ mod x86 {
         // SAFETY: SSE2 is there.
         unsafe { _mm_div_ps(_mm_set1_ps(NEWTON_START), _mm_sqrt_ps(x)) }
     }
-}
-
-/// The square root instruction of the machine.
-///
-/// The theory is made of square roots, and stable Rust has none in `core`. libm's is inline
-/// assembly on x86-64, which no compiler vectorises, and software on a Cortex-M with a
-/// floating-point unit (66 instructions instead of one).
-mod root {
-    /// Square root in double precision.
-    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-    #[inline]
-    pub(in crate::number) fn of_f64(x: f64) -> f64 {
-        use core::arch::x86_64::{_mm_cvtsd_f64, _mm_set_sd, _mm_sqrt_sd};
-        // SAFETY: `sqrtsd` belongs to SSE2, which this function is compiled only with.
-        unsafe {
-            let x = _mm_set_sd(x);
-            _mm_cvtsd_f64(_mm_sqrt_sd(x, x))
-        }
-    }
-
-    /// Square root in single precision.
-    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-    #[inline]
-    pub(in crate::number) fn of_f32(x: f32) -> f32 {
-        use core::arch::x86_64::{_mm_cvtss_f32, _mm_set_ss, _mm_sqrt_ss};
-        // SAFETY: `sqrtss` belongs to SSE, which SSE2 implies; compiled only with it.
-        unsafe { _mm_cvtss_f32(_mm_sqrt_ss(_mm_set_ss(x))) }
-    }
-
-    /// Square root in single precision: VSQRT of the Cortex-M4F and its successors.
-    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline]
-    pub(in crate::number) fn of_f32(x: f32) -> f32 {
-        let root: u32;
-        // SAFETY: the hard-float ABI implies a single-precision unit; registers only, no memory.
-        unsafe {
-            core::arch::asm!(
-                "vmov s0, {x}",
-                "vsqrt.f32 s0, s0",
-                "vmov {root}, s0",
-                x = in(reg) x.to_bits(),
-                root = lateout(reg) root,
-                out("s0") _,
-                options(nomem, nostack, pure),
-            );
-        }
-        f32::from_bits(root)
-    }
-
-    /// Two of them, which takes fewer moves between registers.
-    #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-    #[inline]
-    pub(in crate::number) fn of_two([x, y]: [f32; 2]) -> [f32; 2] {
-        let (of_x, of_y): (u32, u32);
-        // SAFETY: as before.
-        unsafe {
-            core::arch::asm!(
-                "vmov s0, s1, {x}, {y}",
-                "vsqrt.f32 s0, s0",
-                "vsqrt.f32 s1, s1",
-                "vmov {of_x}, {of_y}, s0, s1",
-                x = in(reg) x.to_bits(),
-                y = in(reg) y.to_bits(),
-                of_x = lateout(reg) of_x,
-                of_y = lateout(reg) of_y,
-                out("s0") _,
-                out("s1") _,
-                options(nomem, nostack, pure),
-            );
-        }
-        [of_x, of_y].map(f32::from_bits)
-    }
-
-    #[cfg(not(any(
-        all(target_arch = "x86_64", target_feature = "sse2"),
-        all(target_arch = "arm", target_abi = "eabihf")
-    )))]
-    pub(in crate::number) use libm::sqrtf as of_f32;
-
-    #[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
-    pub(in crate::number) use libm::sqrt as of_f64;
 }

@@ -1,8 +1,8 @@
 //! `f32` and `f64` as numbers of the theory.
 
-use super::avx;
 use super::elementary::{self, ARCTAN_DOUBLE, ARCTAN_SINGLE, ARTANH_DOUBLE, ARTANH_SINGLE};
 use super::lanes::{F32Pair, Lanes};
+use super::root;
 use super::traits::{Arithmetic, Float, Number, Real, Strips};
 
 macro_rules! plain {
@@ -160,7 +160,7 @@ plain!(
         const HUGE: f64 = 1e100;
     }
     cube_root = libm::cbrt, exp = libm::exp, atan = libm::atan, ln = libm::log;
-    sqrt = avx::of_f64, inverse_root = elementary::inverse_root_f64, abs = f64::abs
+    sqrt = root::of_f64, inverse_root = elementary::inverse_root_f64, abs = f64::abs
 );
 plain!(
     f32, i32, 23, |single, double| single,
@@ -172,7 +172,7 @@ plain!(
 
         #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
         fn two_roots(of: [f32; 2]) -> [f32; 2] {
-            avx::of_two(of)
+            root::of_two(of)
         }
     }
     Real {
@@ -189,5 +189,5 @@ plain!(
         const HUGE: f32 = 1e12;
     }
     cube_root = elementary::cube_root, exp = libm::expf, atan = libm::atanf, ln = libm::logf;
-    sqrt = avx::of_f32, inverse_root = elementary::inverse_root_f32, abs = f32::abs
+    sqrt = root::of_f32, inverse_root = elementary::inverse_root_f32, abs = f32::abs
 );

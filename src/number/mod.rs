@@ -58,6 +58,7 @@ pub(crate) mod avx;
 mod elementary;
 mod float;
 pub mod lanes;
+mod root;
 pub(crate) mod tables;
 mod traits;
 

@@ -15,6 +15,7 @@
 pub(crate) mod creepage;
 pub mod fit;
 pub(crate) mod friction;
+mod measured;
 mod search;
 mod sums;
 
