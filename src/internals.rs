@@ -3,6 +3,7 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
+use crate::contact::totals::StripForces;
 use crate::forces::{Model, Options};
 use crate::number::{Arithmetic, Float, Real};
 use crate::rig::creepage::Aim;
@@ -10,7 +11,7 @@ use crate::rig::friction::Rig;
 use crate::rig::{FrictionEstimate, Measured};
 use crate::status::Error;
 use crate::strip::long::LongContact;
-use crate::strip::{Spin, StripCreepage, StripForces, totals};
+use crate::strip::{Spin, StripCreepage, totals};
 
 pub use crate::number::avx::{has_avx, has_avx512};
 pub use crate::strip::any::{eight_one_by_one, eight_strips};

@@ -5,18 +5,17 @@ pub(crate) mod one_by_one;
 pub(crate) mod side_by_side;
 
 use crate::batch::one_by_one::{
-    Case, DifferentiatedCase, Found, MOST, differentiate_each, solve_each, try_each,
+    Case, DifferentiatedCase, Found, differentiate_each, solve_each, try_each,
 };
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::forces;
 use crate::forces::options::{Options, Solution};
 use crate::friction::{FrictionSolution, InMotion};
+use crate::number::Float;
 #[cfg(target_arch = "x86_64")]
 use crate::number::avx::HAS_WIDE_CODE;
-use crate::number::{Float, Strips};
 use crate::status::{Error, Warning};
-use heapless::Vec;
 
 /// Forces of many contacts: what [`forces::forces_of_contact`] gives for each of them, bit for bit.
 /// Returns the warning with the largest code.
@@ -55,21 +54,6 @@ pub fn solve_batch<F: Float>(
         let (contact, creepage) = get(i);
         (contact, creepage, None)
     };
-    if count == 1 {
-        // (a bad input is found before anything is handed out)
-        return solve_each(0..1, options, &get, &mut put);
-    }
-    if count < F::Contacts::COUNT.min(MOST) {
-        // Too few for groups: each is checked as it is solved, and all of them are handed out
-        // together.
-        let mut solved: Vec<Solution<F>, MOST> = Vec::new();
-        let mut keep = |_, solution| {
-            let _ = solved.push(solution);
-        };
-        let worst = solve_each(0..count, options, &get, &mut keep)?;
-        solved.iter().enumerate().for_each(|(i, solution)| put(i, *solution));
-        return Ok(worst);
-    }
     check_each(count, &get, |(contact, creepage, _)| forces::check(contact, creepage, options))?;
     #[cfg(target_arch = "x86_64")]
     if HAS_WIDE_CODE

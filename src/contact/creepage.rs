@@ -2,7 +2,7 @@
 
 use crate::contact::Contact;
 use crate::number::dual::Dual;
-use crate::number::{Arithmetic, Float, Number, Real, few_are_finite, scaled_down};
+use crate::number::{Arithmetic, Float, Number, Real, are_finite, scaled_down};
 use crate::status::Error;
 
 /// Rigid slip of the upper relative to the lower body, divided by the rolling speed (3.3).
@@ -55,7 +55,7 @@ impl<F: Float> Creepage<F> {
     ) -> Result<Self, Error> {
         let inputs =
             [lower.x, lower.y, lower.angular_z, upper.x, upper.y, upper.angular_z, rolling_speed];
-        Error::NotFinite.unless(few_are_finite(&inputs))?;
+        Error::NotFinite.unless(are_finite(&inputs))?;
         Error::RollingSpeed.unless(rolling_speed > F::zero())?;
         // s = (V⁻ − V⁺)/V   (3.3)
         let creepage = Self {
@@ -70,7 +70,7 @@ impl<F: Float> Creepage<F> {
     /// # Errors
     /// [`Error::NotFinite`].
     pub fn check(&self) -> Result<(), Error> {
-        Error::NotFinite.unless(few_are_finite(&[self.longitudinal, self.lateral, self.spin]))
+        Error::NotFinite.unless(are_finite(&[self.longitudinal, self.lateral, self.spin]))
     }
 }
 

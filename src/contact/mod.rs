@@ -12,7 +12,7 @@ pub use self::hertz::{from_approach, from_hertz};
 pub use self::plausibility::implausibility;
 
 use crate::contact::material::{check_modulus, check_poisson_ratio};
-use crate::number::{Float, Real, few_are_finite};
+use crate::number::{Float, Real, are_finite};
 use crate::status::Error;
 
 /// A loaded elliptic contact with combined elastic constants and Coulomb friction.
@@ -50,7 +50,7 @@ impl<F: Float> Contact<F> {
     pub fn check(&self) -> Result<(), Error> {
         let Self { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch } = *self;
         let inputs = [a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch];
-        Error::NotFinite.unless(few_are_finite(&inputs))?;
+        Error::NotFinite.unless(are_finite(&inputs))?;
         if self.is_lost() {
             return Ok(());
         }
@@ -62,7 +62,7 @@ impl<F: Float> Contact<F> {
         let results = [bound, pressure, friction * pressure, self.strain()];
         // So that products of the axis ratio with numbers of order one stay finite.
         let slender = (a / b).max(b / a) > F::HUGE;
-        Error::Overflow.unless(!slender && few_are_finite(&results))
+        Error::Overflow.unless(!slender && are_finite(&results))
     }
 }
 

@@ -1,4 +1,5 @@
-//! The result of every model in units of the friction bound, and the number of strips.
+//! Forces of a contact and of one of its strips in units of the friction bound, and the number of
+//! strips.
 
 use crate::number::Number;
 
@@ -21,6 +22,19 @@ impl<T: Number> Totals<T> {
     pub fn nothing() -> Self {
         Self { fx: T::zero(), fy: T::zero(), mz: T::zero(), stick: T::zero() }
     }
+}
+
+/// Forces of a strip, divided by its friction bound.
+#[derive(Clone, Copy, Debug)]
+pub struct StripForces<T> {
+    /// Longitudinal force.
+    pub fx: T,
+    /// Lateral force.
+    pub fy: T,
+    /// `∫ x̂ Y dx̂`: moment of the lateral traction in half lengths.
+    pub mx: T,
+    /// Share of the length in adhesion.
+    pub stick: T,
 }
 
 /// Number of strips of the patch.

@@ -36,7 +36,7 @@ use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real, add, few_are_finite};
+use crate::number::{Float, Real, add, are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -106,7 +106,7 @@ pub(crate) fn solve_with_slopes<F: Float>(
         differentiated(frame, creepage, options, ordinary),
         return Err(Error::ModelLeftOut)
     );
-    Error::Overflow.unless(few_are_finite(&slopes.derivatives.entries()))?;
+    Error::Overflow.unless(are_finite(&slopes.derivatives.entries()))?;
     Ok((solution, slopes))
 }
 
@@ -140,7 +140,7 @@ pub(crate) struct Slopes<F> {
 
 impl<F: Float> Slopes<F> {
     /// From the derivatives with respect to `w`, and the forces.
-    pub(crate) fn through_shift(
+    fn through_shift(
         mut derivatives: Derivatives<F>, shift: Option<Shift<F>>, seen: &Creepage<F>, force: [F; 3],
     ) -> Self {
         let none = Sensitivity { forces: [F::zero(); 3], power: F::zero() };
@@ -164,11 +164,8 @@ impl<F: Float> Slopes<F> {
             found.derivatives = derivatives;
         }
         // ∂P/∂c = F ∂w/∂c + (∂F/∂c)ᵀ w
-        let [row_x, row_y, row_z] = derivatives.jacobian;
-        let columns = row_x.into_iter().zip(row_y).zip(row_z);
-        for (entry, ((x, y), z)) in found.power_by_creepage.iter_mut().zip(columns) {
-            *entry += seen.power([x, y, z]);
-        }
+        let columns = transposed(derivatives.jacobian);
+        add(&mut found.power_by_creepage, columns.map(|column| seen.power(column)));
         found
     }
 }
@@ -191,27 +188,36 @@ fn differentiated<F: Float, M: Theory<F>>(
     frame: &ScaledContact<F>, creepage: &Creepage<F>, options: &Options, ordinary: bool,
 ) -> (Solution<F>, Slopes<F>) {
     let theory = M::of_contact(frame, options);
+    differentiated_by(&theory, frame, creepage, ordinary, |seen| with_slopes(&theory, frame, seen))
+}
+
+/// The same by a theory, with the forces, `ψ` and the derivatives that `differentiate` computes for
+/// a contact with load and friction.
+#[inline(always)]
+pub(crate) fn differentiated_by<F: Float, M: Theory<F>>(
+    theory: &M, frame: &ScaledContact<F>, creepage: &Creepage<F>, ordinary: bool,
+    differentiate: impl FnOnce(&Creepage<F>) -> (Forces<F>, F, Derivatives<F>),
+) -> (Solution<F>, Slopes<F>) {
     let (seen, shift) = frame.creepage_with_pressure(creepage, M::MODEL);
     let bound = frame.contact.friction_bound();
     let (forces, psi, mut derivatives) = if theory.stiffness().is_none() && bound <= F::zero() {
         let (forces, psi) = theory.forces(frame, &seen);
-        (forces, psi, without_friction(&theory, frame, &seen))
+        (forces, psi, without_friction(theory, frame, &seen))
     } else {
-        with_slopes(&theory, frame, &seen)
+        differentiate(&seen)
     };
     let forces = Forces::at_rest(&seen, M::MODEL).unwrap_or(forces);
     let solution = frame.solution(M::MODEL, &seen, &forces, psi, ordinary);
     if let Some(shift) = shift {
         through_shift(&mut derivatives, &shift, creepage, &frame.contact);
     }
-    let force = [solution.fx, solution.fy, solution.mz];
-    (solution, Slopes::through_shift(derivatives, shift, &seen, force))
+    (solution, Slopes::through_shift(derivatives, shift, &seen, solution.components()))
 }
 
 /// Adds the derivatives of the shift with respect to load and friction: in units of `M` it is a
 /// function of `c/M` and `κ/μ`.
 #[cold]
-pub(crate) fn through_shift<F: Float>(
+fn through_shift<F: Float>(
     derivatives: &mut Derivatives<F>, shift: &Shift<F>, creepage: &Creepage<F>,
     contact: &Contact<F>,
 ) {
@@ -285,7 +291,7 @@ fn saturating<F: Real, M: Theory<F>>(
 }
 
 /// Without friction there is no force and no dependence on the creepage.
-pub(crate) fn without_friction<F: Float, M: Theory<F>>(
+fn without_friction<F: Float, M: Theory<F>>(
     theory: &M, frame: &ScaledContact<F>, creepage: &Creepage<F>,
 ) -> Derivatives<F> {
     let ScaledContact { contact, radius, .. } = frame;
@@ -318,6 +324,10 @@ fn linear_with_slopes<F: Real>(
     }
     let none = [none; 3];
     Derivatives { jacobian, normal_force: none, load_through_hertz: hertz, friction: none }
+}
+
+pub(crate) fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] {
+    [[a, d, g], [b, e, h], [c, f, i]]
 }
 
 #[inline]

@@ -81,6 +81,14 @@ pub(crate) fn write_forces<'a, F: Float>(
 pub(crate) fn solution_of<F: Float, M: Theory<F>>(
     contact: &Contact<F>, creepage: &Creepage<F>, options: &Options,
 ) -> Result<Solution<F>, Error> {
+    solution_by(contact, creepage, |frame| M::of_contact(frame, options))
+}
+
+/// Forces by a theory that is made for the contact, if it has a load.
+#[inline(always)]
+pub(crate) fn solution_by<F: Float, M: Theory<F>>(
+    contact: &Contact<F>, creepage: &Creepage<F>, theory: impl FnOnce(&ScaledContact<F>) -> M,
+) -> Result<Solution<F>, Error> {
     let ordinary = contact.is_ordinary(creepage);
     if !ordinary {
         find_fault(contact, creepage, M::MODEL)?;
@@ -89,7 +97,7 @@ pub(crate) fn solution_of<F: Float, M: Theory<F>>(
         return Ok(Solution::default());
     }
     let frame = &ScaledContact::new(contact);
-    Ok(frame.solve_checked(&M::of_contact(frame, options), creepage, ordinary))
+    Ok(frame.solve_checked(&theory(frame), creepage, ordinary))
 }
 
 /// A contact in the units of the theory: numbers only.

@@ -7,11 +7,11 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, solve_with_slopes};
+use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, solve_with_slopes, transposed};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{InterfaceSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
-use crate::number::{Float, add, few_are_finite};
+use crate::number::{Float, add, are_finite};
 use crate::status::{Error, Warning};
 
 /// Derivatives of fx, fy, mz with respect to the parameters of falling friction.
@@ -164,10 +164,6 @@ impl<F: Float> AtFriction<F> {
     }
 }
 
-fn transposed<F>([[a, b, c], [d, e, f], [g, h, i]]: [[F; 3]; 3]) -> [[F; 3]; 3] {
-    [[a, d, g], [b, e, h], [c, f, i]]
-}
-
 /// Forces and all derivatives of a contact: the result of [`differentiate_with_law`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differentiated<F: Float> {
@@ -249,7 +245,7 @@ impl<F: Float> InMotion<'_, F> {
         let Some(law) = self.law.filter(|_| has_law) else {
             let (derivatives, by_mismatch) = (slopes.derivatives, slopes.by_mismatch.forces);
             let law = without_law(&derivatives, by_mismatch, &motion);
-            Error::Overflow.unless(few_are_finite(&law.slope_factor))?;
+            Error::Overflow.unless(are_finite(&law.slope_factor))?;
             return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
         };
         let (power, load) = (solution.power, contact.normal_force);
@@ -257,7 +253,7 @@ impl<F: Float> InMotion<'_, F> {
         let at = AtFriction { slopes: *slopes, power, motion, own, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
         let (derivatives, law, by_mismatch) = at.through(law, falls, of_interface);
-        let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
+        let fit = are_finite(&derivatives.entries()) && are_finite(&law.entries());
         Error::Overflow.unless(fit)?;
         Ok(Differentiated { solution, friction, derivatives, law, by_mismatch })
     }

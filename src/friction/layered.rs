@@ -12,10 +12,10 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::derivatives::{
-    Derivatives, Sensitivity, Slopes, scaled, through_shift, without_friction,
+    Derivatives, Sensitivity, Slopes, differentiated_by, scaled, transposed,
 };
 use crate::forces::options::{Model, Options, Solution};
-use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
+use crate::forces::theory::{Forces, ScaledContact, Theory, by_model, solution_by};
 use crate::forces::warning::warning_of;
 use crate::forces::{self, StripResult};
 use crate::friction::law::SlipFriction;
@@ -150,9 +150,12 @@ impl<F: Real, M: Theory<F>> Theory<F> for Layered<F, M> {
         let interface = Interface { layer: T::from_base(layer), slide: T::from_base(slide) };
         self.totals_through_layer(frame, parameters, &interface)
     }
+    fn stiffness(&self) -> Option<&[F; 4]> {
+        self.model.stiffness()
+    }
     #[inline(always)]
     fn forces(&self, frame: &ScaledContact<F>, creepage: &Creepage<F>) -> (Forces<F>, F) {
-        if let Some(stiffness) = self.model.stiffness() {
+        if let Some(stiffness) = self.stiffness() {
             let [fx, fy, mz] = self.linear(*stiffness, creepage, self.interface.layer);
             return (Forces { fx, fy, mz, adhesion: F::one() }, F::zero());
         }
@@ -219,16 +222,9 @@ impl<F: Float> ThroughLayer<'_, F> {
 fn solve_in<F: Float, M: Theory<F>>(
     through: &ThroughLayer<F>, contact: &Contact<F>,
 ) -> Result<Solution<F>, Error> {
-    let ordinary = contact.is_ordinary(through.creepage);
-    if !ordinary {
-        find_fault(contact, through.creepage, M::MODEL)?;
-    }
-    if contact.is_lost() {
-        return Ok(Solution::default());
-    }
-    let frame = &ScaledContact::new(contact);
-    let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
-    Ok(frame.solve_checked(&layered, through.creepage, ordinary))
+    solution_by(contact, through.creepage, |frame| {
+        Layered::<F, M>::new(frame, through.options, through.interface(contact))
+    })
 }
 
 fn differentiate_in<F: Float, M: Theory<F>>(
@@ -236,27 +232,18 @@ fn differentiate_in<F: Float, M: Theory<F>>(
 ) -> WithSlopes<F> {
     let contact = &frame.contact;
     let layered = Layered::<F, M>::new(frame, through.options, through.interface(contact));
-    let (seen, shift) = frame.creepage_with_pressure(through.creepage, M::MODEL);
-    let none = F::zero();
-    let slides = layered.model.stiffness().is_none() && contact.friction_bound() <= none;
-    let (forces, psi, mut derivatives, by_interface) = if slides {
-        let (forces, psi) = layered.forces(frame, &seen);
-        (forces, psi, without_friction(&layered, frame, &seen), [[none; 3]; 2])
-    } else {
-        layered.with_slopes(frame, &seen)
-    };
-    let forces = Forces::at_rest(&seen, M::MODEL).unwrap_or(forces);
-    let solution = frame.solution(M::MODEL, &seen, &forces, psi, ordinary);
-    if let Some(shift) = shift {
-        through_shift(&mut derivatives, &shift, through.creepage, contact);
-    }
-    let force = [solution.fx, solution.fy, solution.mz];
-    let slopes = Slopes::through_shift(derivatives, shift, &seen, force);
+    let mut by_interface = [[F::zero(); 3]; 2];
+    let (solution, slopes) =
+        differentiated_by(&layered, frame, through.creepage, ordinary, |seen| {
+            let (forces, psi, derivatives, found) = layered.with_slopes(frame, seen);
+            by_interface = found;
+            (forces, psi, derivatives)
+        });
     // by λ = h G/(G₃ a) to that by h/G₃
     let unit = contact.shear_modulus / through.law.slope_or_one() / contact.a;
     let [of_layer, of_slide] = by_interface;
     let [by_layer, by_slide] = [scaled(of_layer, unit), of_slide]
-        .map(|forces| Sensitivity { forces, power: seen.power(forces) });
+        .map(|forces| Sensitivity { forces, power: slopes.seen.power(forces) });
     (solution, slopes, InterfaceSlopes { layer: through.law.layer, by_layer, by_slide })
 }
 
@@ -306,11 +293,7 @@ fn unscaled<F: Float>(
     let [fx, fy, mz] = rows.map(|(f, unit)| f.value * (bound * unit));
     let column = |i: usize| rows.map(|(f, unit)| f.derivative(i) * (bound * unit));
     let [by_x, by_y, by_spin, by_layer, by_slide] = [0, 1, 2, 3, 4].map(column);
-    let mut jacobian = [[F::zero(); 3]; 3];
-    let columns = by_x.into_iter().zip(by_y).zip(by_spin);
-    for (row, ((x, y), z)) in jacobian.iter_mut().zip(columns) {
-        *row = [x, y, z];
-    }
+    let jacobian = transposed([by_x, by_y, by_spin]);
     let translation = |f: &Variable<F>| f.derivative(0) * longitudinal + f.derivative(1) * lateral;
     // f − (∂f/∂c) c;  F: f − ⅓ (∂f/∂v) v − ⅓ λ ∂f/∂λ,  M_z: (4/3) f − ..
     let euler = rows.map(|(f, unit)| unit * (f.value - (translation(&f) + f.derivative(2) * spin)));

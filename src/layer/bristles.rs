@@ -29,6 +29,7 @@
 //! the step ([`composed`](Arithmetic::composed)): only these pass from formula to formula with all
 //! their derivatives.
 
+use crate::contact::totals::StripForces;
 use crate::number::{Arithmetic, Float, length};
 
 /// Steps along a strip.
@@ -73,17 +74,6 @@ pub(crate) struct Rates<T> {
     pub spin: T,
 }
 
-/// What the bristles of a strip carry over its friction bound.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Bristles<T> {
-    pub fx: T,
-    pub fy: T,
-    /// Moment of the lateral traction about the centre, in half lengths.
-    pub mx: T,
-    /// Share of the length in adhesion.
-    pub stick: T,
-}
-
 /// One bristle: its traction divided by the largest bound, its slip in units of the [`Rates`], and
 /// whether it slides.
 #[derive(Clone, Copy, Debug)]
@@ -108,9 +98,9 @@ struct SlidingPoint<B> {
 impl<T: Arithmetic> Rates<T> {
     /// Forces of the strip, from the [`STEP_ROWS`].
     #[inline(always)]
-    pub fn forces_of_strip(&self, rows: impl Iterator<Item = [T::Value; 9]>) -> Bristles<T> {
+    pub fn forces_of_strip(&self, rows: impl Iterator<Item = [T::Value; 9]>) -> StripForces<T> {
         let zero = T::zero();
-        let mut carried = Bristles { fx: zero, fy: zero, mx: zero, stick: zero };
+        let mut carried = StripForces { fx: zero, fy: zero, mx: zero, stick: zero };
         let mut t = [zero; 2];
         // D at the beginning of the step, zero where it slides
         let mut inside = T::constant(-2.0);
@@ -119,16 +109,16 @@ impl<T: Arithmetic> Rates<T> {
         }
         // ∫ g du = π/2
         let unit = 2.0 / core::f64::consts::PI;
-        let Bristles { fx, fy, mx, stick } = carried;
+        let StripForces { fx, fy, mx, stick } = carried;
         let [fx, fy, mx] = [fx, fy, mx].map(|sum| sum.times(unit));
-        Bristles { fx, fy, mx, stick: stick.times(0.5) }
+        StripForces { fx, fy, mx, stick: stick.times(0.5) }
     }
 
     /// The traction and `D` at the end of a step.
     #[inline(always)]
     fn advance(
         &self, [u, x, end, l, per_u, over, bound, least, per_least]: [T::Value; 9], t: [T; 2],
-        inside: T, carried: &mut Bristles<T>,
+        inside: T, carried: &mut StripForces<T>,
     ) -> ([T; 2], T) {
         let (zero, one) = (T::Value::constant(0.0), T::Value::constant(1.0));
         let [sx, sy, q] = [self.x, self.y, self.spin].map(T::value);
@@ -314,7 +304,7 @@ impl<F: Float> Rates<F> {
     /// The traction at `x`, from the [`STEP_ROWS`], and whether the bristle sticks there.
     pub fn traction(&self, rows: impl Iterator<Item = [F; 9]>, x: F) -> ([F; 2], bool) {
         let (zero, one) = (F::zero(), F::one());
-        let mut carried = Bristles { fx: zero, fy: zero, mx: zero, stick: zero };
+        let mut carried = StripForces { fx: zero, fy: zero, mx: zero, stick: zero };
         let (mut t, mut inside) = ([zero; 2], F::of(-2.0));
         for [u, from, end, ..] in rows {
             let end = end.max(x);

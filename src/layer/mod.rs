@@ -32,9 +32,9 @@
 
 pub(crate) mod bristles;
 
-use self::bristles::{BristleState, Bristles, Rates, STEP_ROWS};
+use self::bristles::{BristleState, Rates, STEP_ROWS};
 use crate::contact::creepage::Creepage;
-use crate::contact::totals::Totals;
+use crate::contact::totals::{StripForces, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
 use crate::number::dual::Dual;
@@ -230,7 +230,7 @@ impl<F: Real> Layer<F> {
     /// adhesion, each over its share of `μ N`.
     pub fn strip(&self, rates: [F; 3], place: F, c: F) -> [F; 4] {
         let upright = F::one() / self.root;
-        let Bristles { fx, fy, mx, stick } = self.rates_at(rates, place, c).of_strip();
+        let StripForces { fx, fy, mx, stick } = self.rates_at(rates, place, c).of_strip();
         [fx, fy, mx * (c * self.root) - fx * (place * upright), stick]
     }
 
@@ -322,7 +322,7 @@ impl<F: Real> Layer<F> {
             let rows = table!(F, STEP_ROWS)
                 .iter()
                 .map(|row| row.each_ref().map(|x| P::all(F::stored(*x))));
-            let Bristles { fx, fy, mx, stick } = strip.forces_of_strip(rows);
+            let StripForces { fx, fy, mx, stick } = strip.forces_of_strip(rows);
             // Mz = ∫ (x Y − y X)
             let mz = mx.scale(load * c * root) - fx.scale(load * place * upright);
             add(&mut sums, [fx.scale(load), fy.scale(load), mz, stick.scale(load)]);
@@ -340,13 +340,13 @@ impl<T: Number> Rates<T> {
     }
 
     /// Forces of one strip, for rates of any size.
-    pub fn of_strip(&self) -> Bristles<T> {
+    pub fn of_strip(&self) -> StripForces<T> {
         let rows = table!(T::Base, STEP_ROWS)
             .iter()
             .map(|row| row.each_ref().map(|x| T::Base::stored(*x)));
-        let Bristles { fx, fy, mx, stick } = self.within_limit().forces_of_strip(rows);
+        let StripForces { fx, fy, mx, stick } = self.within_limit().forces_of_strip(rows);
         let kept = (fx.squared() + fy.squared()).max(T::one()).sqrt().inverse();
-        Bristles { fx: fx * kept, fy: fy * kept, mx: mx * kept, stick }
+        StripForces { fx: fx * kept, fy: fy * kept, mx: mx * kept, stick }
     }
 }
 

@@ -91,35 +91,16 @@ pub(crate) fn scaled_down<T: Number, const N: usize>(numbers: [T; N], limit: T::
     T::each(&numbers, |number| number.scale(factor))
 }
 
-/// Whether none is infinite or NaN. (Without an early end. Of many numbers eight are tested at
-/// once: `0 x` is 0 or NaN.)
-pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
-    if numbers.len() < MANY {
-        return numbers.iter().fold(true, |finite, x| finite & x.is_finite_number());
-    }
-    let (eights, rest) = numbers.as_chunks::<8>();
-    let mut sums = [F::zero(); 8];
-    for eight in eights {
-        for (sum, x) in sums.iter_mut().zip(eight) {
-            *sum += *x * F::zero();
-        }
-    }
-    add(&mut sums, rest.iter().map(|x| *x * F::zero()));
-    sums.iter().all(|sum| sum.is_finite_number())
-}
-
-/// The same of a few. On a microcontroller one sum tells: `0 x` is 0 or NaN.
+/// Whether none is infinite or NaN, without an early end. On a microcontroller one sum shows it:
+/// `0 x` is 0 or NaN.
 #[inline]
-pub(crate) fn few_are_finite<F: Float, const N: usize>(numbers: &[F; N]) -> bool {
+pub(crate) fn are_finite<F: Float>(numbers: &[F]) -> bool {
     if cfg!(target_os = "none") {
         let sum = numbers.iter().fold(F::zero(), |sum, x| sum + *x * F::zero());
         return sum.is_finite_number();
     }
     numbers.iter().fold(true, |finite, x| finite & x.is_finite_number())
 }
-
-/// Count from which eight numbers are tested at once.
-const MANY: usize = 32;
 
 /// Adds numbers to their sums.
 #[inline(always)]

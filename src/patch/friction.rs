@@ -27,7 +27,7 @@ use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, O
 use crate::friction::layered::InterfaceSlopes;
 use crate::friction::{FrictionEquation, FrictionSolution, SlipFriction};
 use crate::layer::Interface;
-use crate::number::{Float, few_are_finite};
+use crate::number::{Float, are_finite};
 use crate::patch::PatchView;
 use crate::patch::solver::{self, Problem};
 use crate::status::{Error, Warning};
@@ -218,7 +218,7 @@ pub fn differentiate_patch<F: Float>(
     let law = SlipFriction { friction: mean, ..problem.law };
     let (derivatives, law, by_mismatch) =
         at_friction.through(&law, law.falls(), behind.is_some().then_some(&interface));
-    let fit = few_are_finite(&derivatives.entries()) && few_are_finite(&law.entries());
+    let fit = are_finite(&derivatives.entries()) && are_finite(&law.entries());
     Error::Overflow.unless(fit)?;
     Ok(Differentiated { solution, friction: share, derivatives, law, by_mismatch })
 }

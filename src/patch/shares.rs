@@ -2,6 +2,7 @@
 //! creepages for its `Y`, its friction bound `Π = (μ p₀)_strip/(μ p₀)`, and its flexibility.
 
 use crate::contact::creepage::{Creepage, normalised};
+use crate::contact::totals::StripForces;
 use crate::contact::{Contact, mismatch};
 use crate::linear::LinearCoefficients;
 use crate::number::{Float, Number};
@@ -9,9 +10,7 @@ use crate::patch::sizes::Widths;
 use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
-use crate::strip::{
-    Distribution, Flexibilities, StripCreepage, StripForces, StripGeometry, eight_strips,
-};
+use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
 use heapless::Vec;
 
 /// Least share `Π` of the friction bound. A strip with less is treated as one with this share, so

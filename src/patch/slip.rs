@@ -2,14 +2,14 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, normalised};
+use crate::contact::totals::StripForces;
 use crate::friction::field::StripBehind;
-use crate::layer::bristles::{Bristles, Rates};
+use crate::layer::bristles::Rates;
 use crate::layer::{Interface, Layer, Split};
 use crate::linear::LinearCoefficients;
 use crate::number::{Arithmetic, Dual, Float, Number, scaled_down};
 use crate::patch::PatchStrip;
 use crate::patch::zones::Zone;
-use crate::strip::StripForces;
 
 /// Forces of a strip.
 #[derive(Clone, Copy, Debug)]
@@ -184,10 +184,9 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         if !self.has_bristles {
             return share;
         }
-        let Bristles { fx, fy, mx, stick } = self.bristles(strip).of_strip();
-        let stick = stick.value();
+        let forces = self.bristles(strip).of_strip();
+        let stick = forces.stick.value();
         let adheres = stick > F::zero();
-        let forces = StripForces { fx, fy, mx, stick: T::zero() };
         let bristles = Share::new(strip, &forces, stick, adheres);
         let weight = self.split.weight;
         let mean = |of: T, bristles: T| of + (bristles - of) * weight;

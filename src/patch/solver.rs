@@ -20,7 +20,7 @@
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, normalised};
 use crate::contact::plausibility::LARGEST_MISMATCH;
-use crate::contact::totals::Totals;
+use crate::contact::totals::{StripForces, Totals};
 use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
 use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
@@ -35,7 +35,6 @@ use crate::patch::slip::{By, PatchSlip, Share, ZoneSplit, creepage_at, creepage_
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView};
 use crate::status::{Error, Warning};
-use crate::strip::StripForces;
 use crate::strip_1967::strip::{Regime, State, Strip};
 use crate::total;
 

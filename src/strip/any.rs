@@ -5,8 +5,9 @@
 //! are evaluated with their own nodes.
 
 use super::derivative::{SpinSlopes, alone_with_slopes, forces_and_slopes};
-use super::kernel::{Spin, StripCreepage, StripForces, forces};
+use super::kernel::{Spin, StripCreepage, forces};
 use super::tables::Tables;
+use crate::contact::totals::StripForces;
 use crate::number::avx::with_avx;
 use crate::number::lanes::Lanes;
 use crate::number::{Arithmetic, Number, Real, Strips};

@@ -4,10 +4,10 @@
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND_SPIN};
 use super::kernel::{
-    NodeState, Separatrix, Spin, Start, StripCreepage, StripForces, Traction, WIDEST, blending,
-    forces,
+    NodeState, Separatrix, Spin, Start, StripCreepage, Traction, WIDEST, blending, forces,
 };
 use super::tables::{Constants, TableNode, Tables};
+use crate::contact::totals::StripForces;
 use crate::number::{Arithmetic, Real, Strips};
 
 /// Derivatives with respect to `σ` of the numbers that depend on `σ` alone.

@@ -7,6 +7,7 @@
 
 use super::constants::{AVERAGE, BLEND, EDGE, NODES, ROUND, ROUND_SPIN};
 use super::tables::{Closed, Constants, TableNode};
+use crate::contact::totals::StripForces;
 use crate::number::Arithmetic;
 
 /// Least distance of the separatrix from the trailing edge.
@@ -53,19 +54,6 @@ pub struct Spin<T> {
     pub inverse_round: T,
     /// The factor `m` of the cut where `q` is at most `1 − d`.
     pub uncut: T,
-}
-
-/// Forces of a strip, divided by its friction bound.
-#[derive(Clone, Copy, Debug)]
-pub struct StripForces<T> {
-    /// Longitudinal force.
-    pub fx: T,
-    /// Lateral force.
-    pub fy: T,
-    /// `∫ x̂ Y dx̂`: moment of the lateral traction in half lengths.
-    pub mx: T,
-    /// Share of the length in adhesion.
-    pub stick: T,
 }
 
 impl<T: Arithmetic> Spin<T> {

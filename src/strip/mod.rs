@@ -54,6 +54,6 @@ pub(crate) mod totals;
 pub(crate) use self::any::eight_strips;
 pub use self::creepage::{Distribution, Flexibilities, StripGeometry};
 pub use self::field::StripTraction;
-pub use self::kernel::{Spin, StripCreepage, StripForces};
+pub use self::kernel::{Spin, StripCreepage};
 pub use self::tables::Rule;
 pub use self::totals::EllipseStrips;

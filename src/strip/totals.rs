@@ -3,9 +3,9 @@
 
 use super::creepage::{Distribution, Flexibilities};
 use super::derivative::{SpinSlopes, alone_with_slopes, forces_and_slopes};
-use super::kernel::{Spin, StripCreepage, StripForces, forces};
+use super::kernel::{Spin, StripCreepage, forces};
 use super::tables::{FourStrips, Rule, STRIP_FIELDS, Tables};
-use crate::contact::totals::{StripCount, Totals};
+use crate::contact::totals::{StripCount, StripForces, Totals};
 use crate::linear::LinearCoefficients;
 use crate::number::avx::with_avx;
 use crate::number::lanes::Lanes;
