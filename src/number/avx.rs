@@ -22,14 +22,6 @@ fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T;
 #[cfg(not(target_arch = "x86_64"))]
 impl<F: super::traits::Float> super::traits::InRegisters for F {
     #[inline]
-    fn roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
-        if let [first, second] = &mut a[..] {
-            [*first, *second] = F::two_roots([*first, *second]);
-            return a;
-        }
-        super::traits::each(a, |a| a.sqrt())
-    }
-    #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         one_exceeds(a, b)
     }
@@ -45,22 +37,29 @@ impl<F: super::traits::Float> super::traits::InRegisters for F {
 #[cfg(target_arch = "x86_64")]
 pub(crate) const HAS_WIDE_CODE: bool = cfg!(all(target_arch = "x86_64", not(debug_assertions)));
 
-/// Whether there are registers of 256 bits.
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(avx, "avx");
+#[cfg(target_arch = "x86_64")]
+cpufeatures::new!(avx512, "avx512f", "avx512dq");
+
+/// Whether the processor has registers of 256 bits and the system keeps them: asked once, because
+/// under a hypervisor the question takes microseconds. This and [`has_avx512`] are all that the
+/// library remembers, and no result depends on them.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline]
 pub fn has_avx() -> bool {
     #[cfg(target_arch = "x86_64")]
-    return x86::has_avx();
+    return avx::get();
     #[cfg(not(target_arch = "x86_64"))]
     false
 }
 
-/// Whether there are registers of 512 bits.
+/// The same of registers of 512 bits.
 #[cfg_attr(not(target_arch = "x86_64"), allow(dead_code))]
 #[inline]
 pub fn has_avx512() -> bool {
     #[cfg(target_arch = "x86_64")]
-    return x86::has_avx512();
+    return avx512::get();
     #[cfg(not(target_arch = "x86_64"))]
     false
 }
@@ -114,23 +113,6 @@ mod x86 {
     use crate::number::elementary::{NEWTON, NEWTON_START};
     use crate::number::traits::{Arithmetic, InRegisters, each, each_chosen, each_pair};
     use core::arch::x86_64::*;
-
-    cpufeatures::new!(avx, "avx");
-    cpufeatures::new!(avx512, "avx512f", "avx512dq");
-
-    /// Whether the processor has registers of 256 bits and the system keeps them: asked once,
-    /// because under a hypervisor the question takes microseconds. This and [`has_avx512`] are all
-    /// that the library remembers, and no result depends on them.
-    #[inline]
-    pub fn has_avx() -> bool {
-        avx::get()
-    }
-
-    /// The same of registers of 512 bits.
-    #[inline]
-    pub fn has_avx512() -> bool {
-        avx512::get()
-    }
 
     /// An array and a register of the same size.
     #[repr(C)]

@@ -85,8 +85,7 @@ sums!(Add add AddAssign add_assign Sub sub SubAssign sub_assign);
 
 impl<P: Arithmetic<Value = P>, const M: usize> Mul for Dual<P, M> {
     type Output = Self;
-    #[cfg_attr(target_arch = "x86_64", inline(always))]
-    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         self.combine(other, self.value * other.value, other.value, self.value)
     }
@@ -169,18 +168,15 @@ impl<P: Arithmetic<Value = P>, const M: usize> Arithmetic for Dual<P, M> {
     fn abs(self) -> Self {
         Self::pick(-self.value, -self, self)
     }
-    #[cfg_attr(target_arch = "x86_64", inline(always))]
-    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    #[inline(always)]
     fn max(self, other: Self) -> Self {
         Self::pick(self.value - other.value, self, other)
     }
-    #[cfg_attr(target_arch = "x86_64", inline(always))]
-    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    #[inline(always)]
     fn min(self, other: Self) -> Self {
         Self::pick(other.value - self.value, self, other)
     }
-    #[cfg_attr(target_arch = "x86_64", inline(always))]
-    #[cfg_attr(not(target_arch = "x86_64"), inline)]
+    #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
         Self::pick(self.value, yes, no)
     }

@@ -72,13 +72,7 @@ macro_rules! plain {
             }
             #[inline]
             fn lies_between(self, low: Self, high: Self) -> bool {
-                // Where comparing numbers takes longer than comparing their bits, which are in the
-                // same order.
-                let [bits, from, to] = [self, low, high].map(|x| x.to_bits());
-                if cfg!(target_arch = "x86_64") || low <= 0.0 {
-                    return self >= low && self <= high;
-                }
-                bits.wrapping_sub(from) <= to.wrapping_sub(from)
+                self >= low && self <= high
             }
             fn lies_within(self, limit: Self) -> bool {
                 self.to_bits() <= limit.to_bits()
@@ -169,11 +163,6 @@ plain!(
         type WideContacts = Lanes<f32, 16>;
         const ARTANH: &'static [f32] = &ARTANH_SINGLE;
         const ARCTAN: &'static [f32] = &ARCTAN_SINGLE;
-
-        #[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-        fn two_roots(of: [f32; 2]) -> [f32; 2] {
-            root::of_two(of)
-        }
     }
     Real {
         type Four = Lanes<f32, 4>;

@@ -48,30 +48,6 @@ pub(super) fn of_f32(x: f32) -> f32 {
     f32::from_bits(root)
 }
 
-/// Two of them, which takes fewer moves between registers.
-#[cfg(all(target_arch = "arm", target_abi = "eabihf"))]
-#[inline]
-pub(super) fn of_two([x, y]: [f32; 2]) -> [f32; 2] {
-    let (of_x, of_y): (u32, u32);
-    // SAFETY: as before.
-    unsafe {
-        core::arch::asm!(
-            "vmov s0, s1, {x}, {y}",
-            "vsqrt.f32 s0, s0",
-            "vsqrt.f32 s1, s1",
-            "vmov {of_x}, {of_y}, s0, s1",
-            x = in(reg) x.to_bits(),
-            y = in(reg) y.to_bits(),
-            of_x = lateout(reg) of_x,
-            of_y = lateout(reg) of_y,
-            out("s0") _,
-            out("s1") _,
-            options(nomem, nostack, pure),
-        );
-    }
-    [of_x, of_y].map(f32::from_bits)
-}
-
 #[cfg(not(any(
     all(target_arch = "x86_64", target_feature = "sse2"),
     all(target_arch = "arm", target_abi = "eabihf")

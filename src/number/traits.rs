@@ -240,11 +240,6 @@ pub trait Float: Real<Stored = Self> + PartialOrd + Default + nalgebra::Scalar {
     fn atan(self) -> Self;
     /// Natural logarithm of a positive number.
     fn ln(self) -> Self;
-    /// Two square roots.
-    #[inline]
-    fn two_roots([x, y]: [Self; 2]) -> [Self; 2] {
-        [x.sqrt(), y.sqrt()]
-    }
     /// The inverse of a symmetric matrix, none where it is not positive definite to rounding.
     fn inverse_of_normal(matrix: nalgebra::Matrix6<Self>) -> Option<nalgebra::Matrix6<Self>>;
     /// Of one table in both precisions, that in this one; the other is not even linked.

@@ -119,28 +119,15 @@ impl<F: Real> EllipseStrips<F> {
         Totals { fx, fy, mz, stick: stick.clamped(F::zero(), F::one()) }
     }
 
-    /// Sums over the strips, `P` of them at a time. (Out of line where code must be small and the
-    /// stack short: it needs no room while the creepages of the strips are computed.)
-    #[inline(always)]
+    /// Sums over the strips, `P` of them at a time. Four partial sums per lane are added as
+    /// `(c₀ + c₂) + (c₁ + c₃)`, then the lanes likewise, so that the result does not depend on the
+    /// width of the register. It stays out of line where code must be small and the stack short: it
+    /// needs no room while the creepages of the strips are computed.
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub(super) fn sums<P: Strips<F>, const ROWS: usize>(
         &self, law: &Distribution<F>,
     ) -> Rows<F, ROWS> {
-        if cfg!(target_os = "none") {
-            self.sums_apart::<P, ROWS>(law)
-        } else {
-            self.sums_of::<P, ROWS>(law)
-        }
-    }
-
-    #[inline(never)]
-    fn sums_apart<P: Strips<F>, const ROWS: usize>(&self, law: &Distribution<F>) -> Rows<F, ROWS> {
-        self.sums_of::<P, ROWS>(law)
-    }
-
-    /// Four partial sums per lane, added as `(c₀ + c₂) + (c₁ + c₃)`, then the lanes likewise, so
-    /// that the result does not depend on the width of the register.
-    #[inline(always)]
-    fn sums_of<P: Strips<F>, const ROWS: usize>(&self, law: &Distribution<F>) -> Rows<F, ROWS> {
         let strips = CommonCreepage::<P>::new(law, P::all);
         let sum = if P::COUNT >= 4 {
             self.chains::<P, ROWS>(&strips)

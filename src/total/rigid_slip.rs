@@ -89,22 +89,10 @@ impl<F: Real> RigidSlip<F> {
     }
 
     /// `(Fx, Fy)/(μ N)` and `Mz/(μ N √(ab))` for creepages and their squares, and the share of spin
-    /// `κ = T`.
-    #[inline(always)]
+    /// `κ = T`. It stays out of line where code must be small.
+    #[cfg_attr(target_arch = "x86_64", inline(always))]
+    #[cfg_attr(not(target_arch = "x86_64"), inline(never))]
     pub(super) fn at<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
-        if cfg!(target_os = "none") && T::HAS_DERIVATIVES {
-            return self.at_apart(v, squares);
-        }
-        self.of_creepages(v, squares)
-    }
-
-    #[inline(never)]
-    fn at_apart<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
-        self.of_creepages(v, squares)
-    }
-
-    #[inline(always)]
-    fn of_creepages<T: Number<Base = F>>(&self, v: [T; 3], squares: [T; 3]) -> ([T; 3], T) {
         let ([vx, vy, phi], [vx2, vy2, phi2]) = (v, squares);
         let spin2 = phi2.scale(self.both);
         // small terms: no quotient 0/0 at rest
