@@ -60,25 +60,25 @@ impl<F: Real> EllipseStrips<F> {
             if cfg!(target_os = "none") {
                 // Machines without wide registers compute one strip after the other, which needs
                 // less flash, with the creepages that strips of other shapes have too.
-                strips.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(&strips.contact.see(creepage))
+                strips.totals_of::<T, Lanes<F, 1>>(&strips.contact.see(creepage))
             } else {
                 let law = strips.contact.seen::<T, F::Four>(creepage);
                 if T::HAS_DERIVATIVES && T::LANES > 1 {
                     // One strip of several contacts fills the register.
-                    strips.totals_of::<T, F::WideRow, F::WideRow>(&law)
+                    strips.totals_of::<T, F::WideRow>(&law)
                 } else {
-                    strips.totals_of::<T, F::Four, F::Four>(&law)
+                    strips.totals_of::<T, F::Four>(&law)
                 }
             }
         } {
             let law = strips.contact.seen::<T, F::WideRow>(creepage);
             let count = 4 * strips.rule.fours.len();
-            if count >= F::WideSixteen::COUNT && !T::HAS_DERIVATIVES {
-                strips.totals_of::<T, F::WideSixteen, F::WideFour>(&law)
-            } else if count >= F::WideEight::COUNT && (!T::HAS_DERIVATIVES || size_of::<F>() == 4) {
-                strips.totals_of::<T, F::WideEight, F::WideEight>(&law)
+            if !T::HAS_DERIVATIVES && count >= F::WideSixteen::COUNT {
+                strips.totals_of::<T, F::WideSixteen>(&law)
+            } else if (!T::HAS_DERIVATIVES || size_of::<F>() == 4) && count >= F::WideEight::COUNT {
+                strips.totals_of::<T, F::WideEight>(&law)
             } else {
-                strips.totals_of::<T, F::WideFour, F::WideFour>(&law)
+                strips.totals_of::<T, F::WideFour>(&law)
             }
         })
     }
@@ -86,19 +86,14 @@ impl<F: Real> EllipseStrips<F> {
     /// The totals, computed one strip after the other.
     #[doc(hidden)]
     pub fn totals_one_by_one<T: Number<Base = F>>(&self, creepage: [T; 3]) -> Totals<T> {
-        self.totals_of::<T, Lanes<F, 1>, Lanes<F, 1>>(
-            &self.contact.seen::<T, Lanes<F, 1>>(creepage),
-        )
+        self.totals_of::<T, Lanes<F, 1>>(&self.contact.seen::<T, Lanes<F, 1>>(creepage))
     }
 
-    /// Sums for the creepages of the strips; `P` and `Q` are strips side by side, without and with
-    /// derivatives.
+    /// Sums for the creepages of the strips, `P` of them side by side.
     #[inline(always)]
-    fn totals_of<T: Number<Base = F>, P: Strips<F>, Q: Strips<F>>(
-        &self, law: &Distribution<T>,
-    ) -> Totals<T> {
+    fn totals_of<T: Number<Base = F>, P: Strips<F>>(&self, law: &Distribution<T>) -> Totals<T> {
         let [values, by_x, by_y, by_z] = if T::HAS_DERIVATIVES {
-            self.sums::<Q, SLOPES>(&law.without_derivatives())
+            self.sums::<P, SLOPES>(&law.without_derivatives())
         } else {
             let [values] = self.sums::<P, VALUES>(&law.without_derivatives());
             [values; SLOPES]

@@ -105,23 +105,14 @@ impl BatchInputs<F> {
     /// All required inputs and the mismatch, a place and its stride, are valid at this index.
     unsafe fn read(&self, i: usize, mismatch: (*const F, isize)) -> (Contact<F>, Creepage<F>) {
         // SAFETY: the caller's promise.
-        unsafe {
-            let contact = Contact {
-                a: read(self.a, self.a_stride, i),
-                b: read(self.b, self.b_stride, i),
-                normal_force: read(self.normal_force, self.normal_force_stride, i),
-                shear_modulus: read(self.shear_modulus, self.shear_modulus_stride, i),
-                poisson_ratio: read(self.poisson_ratio, self.poisson_ratio_stride, i),
-                friction: read(self.friction, self.friction_stride, i),
-                mismatch: read(mismatch.0, mismatch.1, i),
-            };
-            let creepage = Creepage {
-                longitudinal: read(self.longitudinal, self.longitudinal_stride, i),
-                lateral: read(self.lateral, self.lateral_stride, i),
-                spin: read(self.spin, self.spin_stride, i),
-            };
-            (contact, creepage)
-        }
+        let of = |(first, stride): (*const F, isize)| unsafe { read(first, stride, i) };
+        let [a, b, normal_force, shear_modulus, poisson_ratio, friction, others @ ..] =
+            self.required().map(of);
+        let ([longitudinal, lateral, spin], mismatch) = (others, of(mismatch));
+        (
+            Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, mismatch },
+            Creepage { longitudinal, lateral, spin },
+        )
     }
 
     fn strides_fit(&self) -> bool {
