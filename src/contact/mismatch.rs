@@ -122,34 +122,21 @@ fn share<T: Number>([lx, ly, ls, d]: [T; 4], adhesion: T::Base) -> T {
     sum / (slip + rear).plus(1.0)
 }
 
-/// `Δυx` and its derivatives.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Shift<F> {
-    /// `Δυx` \[–\]
-    pub value: F,
-    /// Derivatives with respect to the creepages.
-    pub by_creepage: [F; 3],
-    /// `κ ∂Δυx/∂κ`
-    pub by_mismatch: F,
+/// `Δυx` with its derivatives with respect to the creepages, and `κ ∂Δυx/∂κ`.
+#[inline(never)]
+pub(crate) fn shift_with_slopes<F: Float>(
+    contact: &Contact<F>, units: &Units<F>, creepage: &Creepage<F>,
+) -> Dual<F, 4> {
+    let linear = LinearCoefficients::at(units.axis_ratio, contact.poisson_ratio);
+    let strain = contact.strain();
+    let mut found = shift(units, &linear, &creepage.inputs(), Dual::<F, 4>::input(strain, 3));
+    let [.., by_strain] = &mut found.gradient;
+    *by_strain = *by_strain * strain;
+    found
 }
 
-impl<F: Float> Shift<F> {
-    #[inline(never)]
-    pub(crate) fn new(contact: &Contact<F>, units: &Units<F>, creepage: &Creepage<F>) -> Self {
-        let linear = LinearCoefficients::at(units.axis_ratio, contact.poisson_ratio);
-        let strain = contact.strain();
-        let found = shift(units, &linear, &creepage.inputs(), Dual::<F, 4>::input(strain, 3));
-        let [by_x, by_y, by_spin, by_strain] = found.gradient;
-        Self {
-            value: found.value,
-            by_creepage: [by_x, by_y, by_spin],
-            by_mismatch: by_strain * strain,
-        }
-    }
-
-    /// The shift of the linear theory, which has adhesion everywhere.
-    pub(crate) fn linear(contact: &Contact<F>) -> Self {
-        let value = -(full_adhesion(contact.a / contact.b) * contact.strain());
-        Self { value, by_creepage: [F::zero(); 3], by_mismatch: value }
-    }
+/// The same of the linear theory, which has adhesion everywhere.
+pub(crate) fn linear_shift<F: Float>(contact: &Contact<F>) -> Dual<F, 4> {
+    let value = -(full_adhesion(contact.a / contact.b) * contact.strain());
+    Dual { value, gradient: [F::zero(), F::zero(), F::zero(), value] }
 }

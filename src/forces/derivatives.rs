@@ -31,12 +31,11 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters};
-use crate::contact::mismatch::Shift;
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model};
-use crate::number::{Float, Real, add, are_finite};
+use crate::number::{Dual, Float, Real, add, are_finite};
 use crate::status::Error;
 use nalgebra::Matrix3;
 
@@ -141,12 +140,14 @@ pub(crate) struct Slopes<F> {
 impl<F: Float> Slopes<F> {
     /// From the derivatives with respect to `w`, and the forces.
     fn through_shift(
-        mut derivatives: Derivatives<F>, shift: Option<Shift<F>>, seen: &Creepage<F>, force: [F; 3],
+        mut derivatives: Derivatives<F>, shift: Option<Dual<F, 4>>, seen: &Creepage<F>,
+        force: [F; 3],
     ) -> Self {
         let none = Sensitivity { forces: [F::zero(); 3], power: F::zero() };
         let mut found =
             Self { derivatives, seen: *seen, power_by_creepage: force, by_mismatch: none };
-        if let Some(Shift { by_creepage, by_mismatch, .. }) = shift {
+        if let Some(Dual { gradient: [a, b, c, by_mismatch], .. }) = shift {
+            let by_creepage = [a, b, c];
             // κ ∂F/∂κ = ∂F/∂υx κ ∂Δ/∂κ,   ∂F/∂c = ∂F/∂w + ∂F/∂υx ∂Δ/∂c
             let [fx, ..] = force;
             let forces = derivatives.jacobian.map(|[by_x, ..]| by_x * by_mismatch);
@@ -218,15 +219,15 @@ pub(crate) fn differentiated_by<F: Float, M: Theory<F>>(
 /// function of `c/M` and `κ/μ`.
 #[cold]
 fn through_shift<F: Float>(
-    derivatives: &mut Derivatives<F>, shift: &Shift<F>, creepage: &Creepage<F>,
+    derivatives: &mut Derivatives<F>, shift: &Dual<F, 4>, creepage: &Creepage<F>,
     contact: &Contact<F>,
 ) {
-    let [by_x, by_y, by_spin] = shift.by_creepage;
+    let [by_x, by_y, by_spin, by_mismatch] = shift.gradient;
     let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
     // N ∂Δ/∂N = Δ − (∂Δ/∂c) c,  through Hertz ⅓ (Δ − (∂Δ/∂v) v),  μ ∂Δ/∂μ = N ∂Δ/∂N − κ ∂Δ/∂κ
     let by_load = shift.value - (translation + by_spin * creepage.spin);
     let through_hertz = (shift.value - translation).times(1.0 / 3.0);
-    let by_friction = by_load - shift.by_mismatch;
+    let by_friction = by_load - by_mismatch;
     let columns = [
         (&mut derivatives.normal_force, by_load, contact.normal_force),
         (&mut derivatives.load_through_hertz, through_hertz, contact.normal_force),

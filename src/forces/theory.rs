@@ -4,13 +4,13 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::{Creepage, Parameters, Units};
-use crate::contact::mismatch::Shift;
+use crate::contact::mismatch::{linear_shift, shift_with_slopes};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::warning::{linear_warning_of, saturating_warning, warned};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Float, Number, Pair, Real};
+use crate::number::{Arithmetic, Dual, Float, Number, Pair, Real};
 use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
 use core::mem::MaybeUninit;
@@ -139,15 +139,15 @@ impl<F: Float> ScaledContact<F> {
     #[inline(always)]
     pub(crate) fn creepage_with_pressure(
         &self, creepage: &Creepage<F>, model: Model,
-    ) -> (Creepage<F>, Option<Shift<F>>) {
+    ) -> (Creepage<F>, Option<Dual<F, 4>>) {
         if self.contact.mismatch == F::zero() || model.is_of_1967() {
             return (*creepage, None);
         }
         // (Copies, here and below: otherwise all numbers of the frame are stored, needed or not.)
         let (contact, units) = (self.contact, self.units);
         let shift = match model {
-            Model::Linear => Shift::linear(&contact),
-            _ => Shift::new(&contact, &units, creepage),
+            Model::Linear => linear_shift(&contact),
+            _ => shift_with_slopes(&contact, &units, creepage),
         };
         let longitudinal = creepage.longitudinal + shift.value;
         (Creepage { longitudinal, ..*creepage }, Some(shift))

@@ -2,7 +2,7 @@
 //!
 //! A model gives the derivatives at constant friction: its `Slopes`, those with respect to the
 //! layer (`InterfaceSlopes`) and, for patches, to the strips' own creepages
-//! (`OwnCreepageSlopes`), each of forces and power (`Sensitivity`). With the change of friction,
+//! (`OwnSensitivities`), each of forces and power (`Sensitivity`). With the change of friction,
 //! which `AtFriction::through` adds, they are [`Differentiated`].
 
 use crate::contact::Contact;
@@ -33,14 +33,8 @@ pub struct LawDerivatives<F> {
 }
 
 /// Derivatives with respect to a factor of the creepages that the strips of a patch have besides
-/// those of the patch.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct OwnCreepageSlopes<F> {
-    /// With respect to a factor of all three.
-    pub all: Sensitivity<F>,
-    /// With respect to a factor of all but the spin.
-    pub translation: Sensitivity<F>,
-}
+/// those of the patch: of all three, and of all but the spin.
+pub(crate) type OwnSensitivities<F> = [Sensitivity<F>; 2];
 
 /// A contact at the friction of a law, with its derivatives at constant friction.
 pub(crate) struct AtFriction<F: Float> {
@@ -51,7 +45,7 @@ pub(crate) struct AtFriction<F: Float> {
     /// `(υx, υy, φ)`
     pub motion: Creepage<F>,
     /// Derivatives with respect to creepages besides these.
-    pub own: OwnCreepageSlopes<F>,
+    pub own: OwnSensitivities<F>,
     /// `μ`
     pub friction: F,
     /// `N`
@@ -135,12 +129,12 @@ impl<F: Float> AtFriction<F> {
 
     /// `N ∂s/∂N`, the same through Hertz but for a layer, and `κ ∂s/∂κ`.
     fn slip_by_size(&self) -> [F; 3] {
-        let Self { power, motion, own, .. } = self;
+        let Self { power, motion, own: [all, translation], .. } = self;
         let Slopes { power_by_creepage, by_mismatch, .. } = &self.slopes;
         let [power_by_x, power_by_y, _] = *power_by_creepage;
         let translation =
-            power_by_x * motion.longitudinal + power_by_y * motion.lateral + own.translation.power;
-        let all = motion.power(*power_by_creepage) + own.all.power;
+            power_by_x * motion.longitudinal + power_by_y * motion.lateral + translation.power;
+        let all = motion.power(*power_by_creepage) + all.power;
         [*power - all, (*power - translation).times(1.0 / 3.0), by_mismatch.power]
             .map(|power| self.over_bound(power))
     }
@@ -149,9 +143,8 @@ impl<F: Float> AtFriction<F> {
     fn by_stiffness(&self) -> [F; 3] {
         let mut forces = self.slopes.derivatives.jacobian.map(|row| self.motion.power(row));
         let by_mismatch = self.slopes.by_mismatch.forces;
-        for ((force, by_mismatch), own) in
-            forces.iter_mut().zip(by_mismatch).zip(self.own.all.forces)
-        {
+        let [all, _] = &self.own;
+        for ((force, by_mismatch), own) in forces.iter_mut().zip(by_mismatch).zip(all.forces) {
             *force = *force + own + by_mismatch;
         }
         forces
@@ -249,7 +242,7 @@ impl<F: Float> InMotion<'_, F> {
             return Ok(Differentiated { solution, friction, derivatives, law, by_mismatch });
         };
         let (power, load) = (solution.power, contact.normal_force);
-        let own = OwnCreepageSlopes::default();
+        let own = OwnSensitivities::default();
         let at = AtFriction { slopes: *slopes, power, motion, own, friction, load };
         let falls = self.options.model != Model::Linear && law.falls();
         let (derivatives, law, by_mismatch) = at.through(law, falls, of_interface);

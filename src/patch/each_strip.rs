@@ -4,23 +4,16 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::forces::derivatives::scaled;
 use crate::friction::SlipFriction;
-use crate::number::{Dual, Float};
+use crate::number::{Arithmetic, Dual, Float};
 use crate::patch::PatchView;
 use crate::patch::friction::{FrictionProblem, Scaled};
 pub(crate) use crate::patch::slip::{By, creepage_at};
 use crate::patch::slip::{PatchSlip, Share};
 use crate::status::{Error, Warning};
 
-/// Forces of one strip at its own centre, with derivatives while the share `λ` stays.
-pub(crate) struct AtStrip<F> {
-    /// `fx, fy, mz`
-    pub forces: [F; 3],
-    /// Their derivatives, row by row.
-    pub slopes: [[F; 3]; 3],
-    /// Power divided by rolling speed.
-    pub power: F,
-    pub power_slopes: [F; 3],
-}
+/// Forces `fx, fy, mz` of one strip at its own centre, and its power divided by rolling speed, with
+/// derivatives while the share `λ` stays.
+pub(crate) type AtStrip<F> = ([Dual<F, 3>; 3], Dual<F, 3>);
 
 /// Friction and warning of a solution whose strips were visited.
 pub(crate) struct Visited<F: Float> {
@@ -50,17 +43,13 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         _ => (share * *factor, share),
     };
     let mut number = 0;
-    let mut take = |found: AtStrip<F>| {
-        let AtStrip { forces, slopes, power, power_slopes } = found;
-        visit(
-            number,
-            &AtStrip {
-                forces: scaled(forces, share),
-                slopes: slopes.map(|row| scaled(row, unit)),
-                power: power * power_unit,
-                power_slopes: scaled(power_slopes, power_slope_unit),
-            },
-        );
+    let mut take = |(forces, power): AtStrip<F>| {
+        let under = |of: Dual<F, 3>, unit: F, slope_unit: F| Dual {
+            value: of.value * unit,
+            gradient: scaled(of.gradient, slope_unit),
+        };
+        let forces = forces.map(|force| under(force, share, unit));
+        visit(number, &(forces, under(power, power_unit, power_slope_unit)));
         number += 1;
     };
     if let Some(by) = by.filter(|_| SLOPES) {
@@ -68,25 +57,21 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         solver.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
             let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
             // from the creepage at the origin to that at the centre
-            let at_centre = |[x, y, spin]: [F; 3]| match by {
-                By::Creepages => [x, y, spin + x * strip.y - y * strip.centre_x],
-                _ => [x, y, spin],
+            let at_centre = |mut of: Dual<F, 3>| {
+                if let By::Creepages = by {
+                    let [x, y, spin] = &mut of.gradient;
+                    *spin = *spin + *x * strip.y - *y * strip.centre_x;
+                }
+                of
             };
-            let forces = [share.fx, share.fy, moment];
-            take(AtStrip {
-                forces: forces.map(|force| force.value),
-                slopes: forces.map(|force| at_centre(force.gradient)),
-                power: power.value,
-                power_slopes: at_centre(power.gradient),
-            });
+            take(([share.fx, share.fy, moment].map(at_centre), at_centre(power)));
         });
     } else {
-        let none = [F::zero(); 3];
         let slip = PatchSlip::new(creepage, *behind);
         solver.shares(&slip, &mut |strip, share: Share<F>| {
             let power = share.power(creepage);
             let forces = [share.fx, share.fy, share.about_centre(strip)];
-            take(AtStrip { forces, slopes: [none; 3], power, power_slopes: none });
+            take((forces.map(Dual::from_base), Dual::from_base(power)));
         });
     }
     let (bound, law, falls) = (problem.bound, problem.law, problem.law.falls());

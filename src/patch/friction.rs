@@ -23,7 +23,7 @@ use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
 use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, scaled};
 use crate::forces::{Model, Solution, StripResult};
-use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, OwnCreepageSlopes};
+use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, OwnSensitivities};
 use crate::friction::layered::InterfaceSlopes;
 use crate::friction::{FrictionEquation, FrictionSolution, SlipFriction};
 use crate::layer::Interface;
@@ -212,7 +212,7 @@ pub fn differentiate_patch<F: Float>(
         by_slide: under(&interface.by_slide),
     };
     // (the forces are homogeneous: those of the creepages times k/λ)
-    let own = OwnCreepageSlopes { all: under(&own.all), translation: under(&own.translation) };
+    let own = own.each_ref().map(under);
     let (power, motion) = (solution.power, *creepage);
     let at_friction = AtFriction { slopes, power, motion, own, friction, load };
     let law = SlipFriction { friction: mean, ..problem.law };
@@ -227,7 +227,7 @@ pub fn differentiate_patch<F: Float>(
 /// friction, a load, and the mean friction without slip.
 fn size_derivatives<F: Float>(
     found: &Solution<F>, slopes: &Slopes<F>, interface: &InterfaceSlopes<F>,
-    own: &OwnCreepageSlopes<F>, [share, load, mean]: [F; 3], at: &Creepage<F>,
+    [own, moved]: &OwnSensitivities<F>, [share, load, mean]: [F; 3], at: &Creepage<F>,
 ) -> Derivatives<F> {
     // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
     // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
@@ -242,7 +242,7 @@ fn size_derivatives<F: Float>(
         };
     let [x, y, z] = slopes.derivatives.jacobian;
     let [by_x, by_y, by_z] = slopes.by_mismatch.forces;
-    let ([ox, oy, oz], [tx, ty, tz]) = (own.all.forces, own.translation.forces);
+    let ([ox, oy, oz], [tx, ty, tz]) = (own.forces, moved.forces);
     let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
         others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
         others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),

@@ -25,7 +25,7 @@ use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes};
 use crate::forces::theory::sliding_rule;
 use crate::forces::warning::model_warning;
 use crate::forces::{Model, Solution, StripResult};
-use crate::friction::derivatives::OwnCreepageSlopes;
+use crate::friction::derivatives::OwnSensitivities;
 use crate::friction::layered::{InterfaceSlopes, WithSlopes};
 use crate::layer::Interface;
 use crate::linear::LinearCoefficients;
@@ -261,11 +261,11 @@ impl<F: Float> Problem<'_, F> {
 
     /// Forces with the derivatives with respect to the creepages, all others zero; and those with
     /// respect to the layer, and to a factor of the strips' own creepages.
-    pub fn with_slopes(&self) -> Result<(WithSlopes<F>, OwnCreepageSlopes<F>), Error> {
+    pub fn with_slopes(&self) -> Result<(WithSlopes<F>, OwnSensitivities<F>), Error> {
         let Self { view: patch, creepage, model, behind } = *self;
         let sums = |by: By| self.sums(&PatchSlip::with_slopes(creepage, behind, by), |_, _| ());
         let inputs = PatchSlip::with_slopes(creepage, behind, By::Creepages);
-        let (OwnCreepageSlopes { mut all, mut translation }, mut number) = Default::default();
+        let ([mut all, mut translation], mut number) = <(OwnSensitivities<F>, usize)>::default();
         let found = self.sums(&inputs, |strip, share| {
             let Some(own) = patch.own(number) else { return };
             number += 1;
@@ -304,8 +304,7 @@ impl<F: Float> Problem<'_, F> {
         let mut entries = jacobian.iter().chain(others).flatten();
         Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
         let values = PatchSums { forces: forces.map(Dual::value), power: power.value, adhesion };
-        let own = OwnCreepageSlopes { all, translation };
-        Ok(((values.solution(self.warning()), slopes, interface), own))
+        Ok(((values.solution(self.warning()), slopes, interface), [all, translation]))
     }
 
     /// Passes every strip to `visit`; see [`patch_strips`].

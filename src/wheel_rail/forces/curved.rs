@@ -22,7 +22,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Rolling;
-use crate::number::{Float, add, at, set_at};
+use crate::number::{Float, Number, add, at, set_at};
 use crate::patch::each_strip::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
@@ -129,14 +129,18 @@ pub(super) fn across<F: Float>(
             let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];
             let sign = if is_turned { -F::one() } else { F::one() };
             let law = end.falling;
-            let found =
-                each_strip::<_, false>(&view, creepage, law, (model, None), &mut |k, at| {
+            let found = each_strip::<_, false>(
+                &view,
+                creepage,
+                law,
+                (model, None),
+                &mut |k, (forces, power)| {
                     let number = if is_turned { count.saturating_sub(k + 1) } else { k };
-                    let [x, y, _] = at.forces;
-                    let power = at.power * speed;
+                    let ([x, y, _], power) = (forces.map(|force| force.value), power.value * speed);
                     let strip = SlidStrip { force: [x * sign, y * sign], power, slip: F::zero() };
                     set_at(&mut slid, number, strip);
-                })?;
+                },
+            )?;
             for (strip, of) in slid.iter_mut().zip(&contact.patch.strips) {
                 // λ μ₀ N
                 let bound = found.share * factor * of.friction_bound();
@@ -244,12 +248,16 @@ impl<F: Float> StripSums<F> {
     }
 
     /// Adds the derivatives of a strip with a creepage.
-    fn add_slopes(&mut self, rows: &[[F; 6]; 3], at: &AtStrip<F>, creepage: &[F; 3], per_speed: F) {
-        add_scaled(&mut self.power_by_velocity, combined(rows, at.power_slopes), per_speed);
-        self.power_along += dot(&at.power_slopes, creepage);
-        let along = at.slopes.map(|row| dot(&row, creepage));
+    fn add_slopes(
+        &mut self, rows: &[[F; 6]; 3], (forces, power): &AtStrip<F>, creepage: &[F; 3],
+        per_speed: F,
+    ) {
+        let (slopes, power_slopes) = (forces.map(|force| force.gradient), power.gradient);
+        add_scaled(&mut self.power_by_velocity, combined(rows, power_slopes), per_speed);
+        self.power_along += dot(&power_slopes, creepage);
+        let along = slopes.map(|row| dot(&row, creepage));
         add_scaled(&mut self.along, combined(rows, along), F::one());
-        for (row, slopes) in rows.iter().zip(at.slopes) {
+        for (row, slopes) in rows.iter().zip(slopes) {
             let by = combined(rows, slopes);
             for (sums, factor) in self.by_velocity.iter_mut().zip(row) {
                 add_scaled(sums, by, *factor * per_speed);
@@ -302,8 +310,9 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let found =
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
                 let OwnFrame { rows, .. } = strip(k);
-                sums.power += at.power;
-                add_scaled(&mut sums.wrench, combined(&rows, at.forces), one);
+                let (forces, power) = at;
+                sums.power += power.value;
+                add_scaled(&mut sums.wrench, combined(&rows, forces.map(|force| force.value)), one);
                 if SLOPES {
                     sums.add_slopes(&rows, at, &whole(k), per_speed);
                 }
@@ -317,11 +326,14 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let mut power_by_mismatch = zero;
         if view.mismatch() != zero {
             let by = Some(By::Mismatch);
-            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
-                let ([slopes_x, slopes_y, slopes_z], [power, ..]) = (at.slopes, at.power_slopes);
-                let first = [slopes_x, slopes_y, slopes_z].map(|[first, ..]| first);
-                add_scaled(&mut creep.by_mismatch, combined(&strip(k).rows, first), one);
-                power_by_mismatch += power;
+            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k,
+                                                                                 (
+                forces,
+                power,
+            )| {
+                let by = forces.map(|force| force.derivative(0));
+                add_scaled(&mut creep.by_mismatch, combined(&strip(k).rows, by), one);
+                power_by_mismatch += power.derivative(0);
             })?;
         }
         creep.follow_share(&sums, &found, power_by_mismatch, per_speed);
