@@ -15,7 +15,7 @@ use crate::strip::{Spin, StripCreepage, totals};
 
 pub use crate::number::avx::{has_avx, has_avx512};
 pub use crate::strip::any::{eight_one_by_one, eight_strips};
-pub use crate::strip::totals::power_projected;
+pub use crate::strip::power::power_projected;
 
 /// Whether the quick check accepts the sizes of a contact, and those of a creepage where the
 /// contact is so small that nothing is implausible about them; and what the complete check finds.

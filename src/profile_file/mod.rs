@@ -8,6 +8,7 @@
 //! 2. A last pass writes the points, and they are turned.
 
 mod columns;
+mod flats;
 mod header;
 mod miniprof;
 pub mod notes;

@@ -2,9 +2,10 @@
 //! and y of a wheel from its running circle. Kind, unit and sides of several profiles are decided
 //! once.
 
+use super::flats::width_of;
 use super::header::{FEWEST_POINTS, LARGEST, MILLIMETRE};
 use super::notes::*;
-use super::shape::{Evidence, Shape, width_of};
+use super::shape::{Evidence, Shape};
 use crate::number::Float;
 use crate::status::{Error, Warning};
 

@@ -48,6 +48,7 @@ pub(crate) mod long;
 mod long_constants;
 mod network;
 mod nodes;
+pub(crate) mod power;
 mod tables;
 pub(crate) mod totals;
 
