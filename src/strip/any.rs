@@ -110,73 +110,73 @@ fn in_registers<F: Real, const ROWS: usize>(
 /// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
-    eight: &StripColumns<F>, (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
+    eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
     for first in (0..8).step_by(P::COUNT) {
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
         let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
         let by_spin = SpinSlopes::new(&spin);
-        let mut numbers: Numbers<P, ROWS> = ([P::zero(); 4], [[P::zero(); 5]; ROWS]);
         let outer = P::one() - inner;
         if IS_SMALL || P::any_exceeds([inner * outer], [P::zero()]) {
-            for (is_inner, weight) in [(false, outer), (true, inner)] {
-                let own = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, is_inner, |kinds| {
-                    let [outer, inner] = *kinds;
-                    P::all(F::stored(if is_inner { inner } else { outer }))
-                });
-                add_shares(&mut numbers.0, &own.0, weight, is_inner);
-                let (sums, own) = (numbers.1.as_flattened_mut(), own.1.as_flattened());
-                add_shares(sums, own, weight, is_inner);
-            }
+            let of_outer = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, false, |[own, _]| {
+                P::all(F::stored(*own))
+            });
+            let of_inner = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, true, |[_, own]| {
+                P::all(F::stored(*own))
+            });
+            let both = listed(of_outer).zip(listed(of_inner));
+            write_strips(
+                found,
+                first,
+                both.map(|(of_outer, of_inner)| of_outer * outer + of_inner * inner),
+            );
         } else {
-            numbers = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, false, |kinds| {
+            let own = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, false, |kinds| {
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
             });
-        }
-        let (forces, own_slopes) = &numbers;
-        let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
-        for (column, own) in columns.zip(forces.iter().chain(own_slopes.as_flattened())) {
-            for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
-                *place = own.lane(k);
-            }
+            write_strips(found, first, listed(own));
         }
     }
 }
 
-/// Weighted numbers, or their sums with others.
+/// Replaces the numbers of the strips from the first one on.
 #[inline(always)]
-fn add_shares<P: Arithmetic>(sums: &mut [P], numbers: &[P], weight: P, has_others: bool) {
-    for (sum, own) in sums.iter_mut().zip(numbers) {
-        let share = *own * weight;
-        *sum = if has_others { *sum + share } else { share };
+fn write_strips<F: Real, P: Strips<F>, const ROWS: usize>(
+    (carried, slopes): &mut ForcesAndSlopes<F, ROWS>, first: usize,
+    numbers: impl Iterator<Item = P>,
+) {
+    let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
+    for (column, own) in columns.zip(numbers) {
+        for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
+            *place = own.lane(k);
+        }
     }
 }
 
-/// `f_x, f_y, m_x`, the share in adhesion, and the derivatives of the first three.
-type Numbers<P, const ROWS: usize> = ([P; 4], [[P; 5]; ROWS]);
+/// The forces of strips, and the derivatives of `f_x, f_y, m_x`.
+type OfNodes<P> = (StripForces<P>, [[P; 5]; FORCE_ROWS]);
+
+/// In the order of [`ForcesAndSlopes`].
+#[inline]
+fn listed<P>((StripForces { fx, fy, mx, stick }, slopes): OfNodes<P>) -> impl Iterator<Item = P> {
+    [fx, fy, mx, stick].into_iter().chain(slopes.into_iter().flatten())
+}
 
 /// The forces with the nodes that `read` chooses; of one strip alone they are those of its kind.
+/// Without rows the derivatives are zero.
 #[inline(always)]
 fn of_nodes<F: Real, P: Strips<F>, const ROWS: usize>(
     seen: &StripCreepage<P>, spin: &Spin<P>, by_spin: &SpinSlopes<P>, is_inner: bool,
     read: impl Fn(&[F::Stored; 2]) -> P,
-) -> Numbers<P, ROWS> {
+) -> OfNodes<P> {
     let constants = Tables::<F::Stored, _>::new(read);
-    let mut slopes = [[P::zero(); 5]; ROWS];
-    let StripForces { fx, fy, mx, stick } = if ROWS == FORCE_ROWS {
-        let (carried, own) = if P::COUNT == 1 && IS_SMALL {
-            alone_with_slopes(seen, spin, is_inner, by_spin)
-        } else {
-            forces_and_slopes(seen, spin, &constants, by_spin)
-        };
-        for (slopes, own) in slopes.iter_mut().zip(own) {
-            *slopes = own;
-        }
-        carried
+    if ROWS == NO_ROWS {
+        (forces(seen, spin, &constants, |_, _| ()).0, [[P::zero(); 5]; FORCE_ROWS])
+    } else if P::COUNT == 1 && IS_SMALL {
+        alone_with_slopes(seen, spin, is_inner, by_spin)
     } else {
-        forces(seen, spin, &constants, |_, _| ()).0
-    };
-    ([fx, fy, mx, stick], slopes)
+        forces_and_slopes(seen, spin, &constants, by_spin)
+    }
 }
