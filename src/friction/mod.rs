@@ -33,6 +33,7 @@ pub mod derivatives;
 pub mod field;
 mod law;
 pub(crate) mod layered;
+mod layered_strips;
 
 pub(crate) use self::agreement::FrictionEquation;
 pub use self::law::SlipFriction;

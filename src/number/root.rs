@@ -2,8 +2,8 @@
 //!
 //! The theory is made of square roots, and stable Rust has none in `core`. libm's is inline
 //! assembly on x86-64, which no compiler vectorises, and software on a Cortex-M with a
-//! floating-point unit (66 instructions instead of one). What is `unsafe`: instructions on registers
-//! without memory access.
+//! floating-point unit (66 instructions instead of one). What is `unsafe`: instructions on
+//! registers without memory access.
 
 #![allow(unsafe_code)]
 

@@ -22,6 +22,7 @@ mod sizes;
 mod slip;
 pub mod solver;
 mod stored;
+mod sums;
 mod view;
 pub mod zones;
 

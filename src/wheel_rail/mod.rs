@@ -26,6 +26,7 @@ mod height;
 pub mod profile;
 pub mod scene;
 pub mod touch;
+mod tried_heights;
 
 use crate::number::{Float, are_finite, ascend};
 use crate::status::Error;

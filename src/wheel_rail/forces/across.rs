@@ -8,12 +8,13 @@
 //! the integral of pressure times sliding velocity over a strip, which a law of Archard needs, is
 //! the load times this slip.
 
-use super::curved::{self, SlidStrip};
-use super::ends::{Law, Pressed};
+use super::curved::{End, Frames};
+use super::ends::{Law, Pressed, at_speed};
 use crate::forces::Model;
 use crate::motion::Rolling;
-use crate::number::{Float, are_finite, at};
-use crate::patch::{Patch, PatchStrip};
+use crate::number::{Float, are_finite, at, set_at};
+use crate::patch::each_strip::each_strip;
+use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch, PatchStrip};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::Velocity;
 use crate::wheel_rail::contacts::WheelContact;
@@ -67,7 +68,7 @@ pub fn power_across<F: Float>(
     let mut room = Patch::nothing();
     let pressed = Pressed { patch: &contact.patch, factor, room: &mut room };
     let law = Law { model, ..law };
-    let (slid, warning) = curved::across(contact, pressed, &velocity, &rolling, law)?;
+    let (slid, warning) = slid_strips(contact, pressed, &velocity, &rolling, law)?;
     let (turn, share, [x, ..]) = (contact.axes().turn, contact.share, contact.origin);
     let strips = contact.patch.strips.iter().zip(&slid).take(contact.patch.count as usize);
     let found = |(k, (strip, own)): (usize, (&PatchStrip<F>, &SlidStrip<F>))| {
@@ -82,4 +83,65 @@ pub fn power_across<F: Float>(
     Error::Overflow.unless(strips.clone().all(|strip| strip.fits()))?;
     strips.for_each(visit);
     Ok(if contact.is_conformal() { warning.worse(Warning::AngleRange) } else { warning })
+}
+
+/// Strips by their number.
+type Slid<F> = [SlidStrip<F>; KSTRIP_PATCH_CAPACITY];
+
+/// Force and power of a strip in its own frame.
+#[derive(Clone, Copy, Default)]
+struct SlidStrip<F> {
+    /// Along x and across \[N\], on the rail.
+    force: [F; 2],
+    /// \[W\]
+    power: F,
+    /// Power divided by the friction bound \[m/s\].
+    slip: F,
+}
+
+/// Forces and power of each strip, and the warning of the model.
+fn slid_strips<F: Float>(
+    contact: &WheelContact<F>, mut pressed: Pressed<F>, velocity: &[F; 6], rolling: &Rolling<F>,
+    law: Law<F>,
+) -> Result<(Slid<F>, Warning), Error> {
+    let Law { model, .. } = law;
+    let (falling, speed) = (at_speed(law, rolling.speed), rolling.speed);
+    let end = End::<_, false> { velocity, speed, falling: falling.as_ref(), model };
+    let frames = Frames { contact, axes: contact.axes() };
+    let (count, factor) = (contact.patch.count as usize, pressed.factor);
+    let ends =
+        pressed.each_end(rolling, rolling.speed_by_rolling, |view, creepage, is_turned| {
+            let own = end.own_creepages(view, creepage, &|k| frames.of_strip(k, is_turned));
+            let view = view.with_own_creepages(&own)?;
+            let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];
+            let sign = if is_turned { -F::one() } else { F::one() };
+            let law = end.falling;
+            let found = each_strip::<_, false>(
+                &view,
+                creepage,
+                law,
+                (model, None),
+                &mut |k, (forces, power)| {
+                    let number = if is_turned { count.saturating_sub(k + 1) } else { k };
+                    let ([x, y, _], power) = (forces.map(|force| force.value), power.value * speed);
+                    let strip = SlidStrip { force: [x * sign, y * sign], power, slip: F::zero() };
+                    set_at(&mut slid, number, strip);
+                },
+            )?;
+            for (strip, of) in slid.iter_mut().zip(&contact.patch.strips) {
+                // λ μ₀ N
+                let bound = found.share * factor * of.friction_bound();
+                strip.slip = if bound > F::zero() { strip.power / bound } else { F::zero() };
+            }
+            Ok((slid, found.warning))
+        })?;
+    let [(mut slid, ahead), (behind_slid, behind)] = ends;
+    for (strip, behind) in slid.iter_mut().zip(&behind_slid) {
+        let mean = |p: F, q: F| rolling.mean(p, q);
+        let ([x, y], [u, v]) = (strip.force, behind.force);
+        strip.force = [mean(x, u), mean(y, v)];
+        strip.power = mean(strip.power, behind.power);
+        strip.slip = mean(strip.slip, behind.slip);
+    }
+    Ok((slid, ahead.worse(behind)))
 }

@@ -22,7 +22,7 @@ use crate::contact::creepage::Creepage;
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Rolling;
-use crate::number::{Float, Number, add, at, set_at};
+use crate::number::{Float, Number, add, at};
 use crate::patch::each_strip::{AtStrip, By, Visited, creepage_at, each_strip};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchView};
 use crate::status::{Error, Warning};
@@ -98,69 +98,8 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     Ok(found)
 }
 
-/// Strips by their number.
-pub(super) type Slid<F> = [SlidStrip<F>; KSTRIP_PATCH_CAPACITY];
-
-/// Force and power of a strip in its own frame.
-#[derive(Clone, Copy, Default)]
-pub(super) struct SlidStrip<F> {
-    /// Along x and across \[N\], on the rail.
-    pub force: [F; 2],
-    /// \[W\]
-    pub power: F,
-    /// Power divided by the friction bound \[m/s\].
-    pub slip: F,
-}
-
-/// Forces and power of each strip, and the warning of the model.
-pub(super) fn across<F: Float>(
-    contact: &WheelContact<F>, mut pressed: Pressed<F>, velocity: &[F; 6], rolling: &Rolling<F>,
-    law: Law<F>,
-) -> Result<(Slid<F>, Warning), Error> {
-    let Law { model, .. } = law;
-    let (falling, speed) = (at_speed(law, rolling.speed), rolling.speed);
-    let end = End::<_, false> { velocity, speed, falling: falling.as_ref(), model };
-    let frames = Frames { contact, axes: contact.axes() };
-    let (count, factor) = (contact.patch.count as usize, pressed.factor);
-    let ends =
-        pressed.each_end(rolling, rolling.speed_by_rolling, |view, creepage, is_turned| {
-            let own = end.own_creepages(view, creepage, &|k| frames.of_strip(k, is_turned));
-            let view = view.with_own_creepages(&own)?;
-            let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];
-            let sign = if is_turned { -F::one() } else { F::one() };
-            let law = end.falling;
-            let found = each_strip::<_, false>(
-                &view,
-                creepage,
-                law,
-                (model, None),
-                &mut |k, (forces, power)| {
-                    let number = if is_turned { count.saturating_sub(k + 1) } else { k };
-                    let ([x, y, _], power) = (forces.map(|force| force.value), power.value * speed);
-                    let strip = SlidStrip { force: [x * sign, y * sign], power, slip: F::zero() };
-                    set_at(&mut slid, number, strip);
-                },
-            )?;
-            for (strip, of) in slid.iter_mut().zip(&contact.patch.strips) {
-                // λ μ₀ N
-                let bound = found.share * factor * of.friction_bound();
-                strip.slip = if bound > F::zero() { strip.power / bound } else { F::zero() };
-            }
-            Ok((slid, found.warning))
-        })?;
-    let [(mut slid, ahead), (behind_slid, behind)] = ends;
-    for (strip, behind) in slid.iter_mut().zip(&behind_slid) {
-        let mean = |p: F, q: F| rolling.mean(p, q);
-        let ([x, y], [u, v]) = (strip.force, behind.force);
-        strip.force = [mean(x, u), mean(y, v)];
-        strip.power = mean(strip.power, behind.power);
-        strip.slip = mean(strip.slip, behind.slip);
-    }
-    Ok((slid, ahead.worse(behind)))
-}
-
 /// The motion of a strip in its own frame.
-struct OwnFrame<F> {
+pub(super) struct OwnFrame<F> {
     /// `B`: slip and spin rate by the wheel's velocities.
     rows: [[F; 6]; 3],
     /// Slip and spin rate of a wheel at rest \[m/s, rad/s\]: those of a rail that moves.
@@ -168,14 +107,14 @@ struct OwnFrame<F> {
 }
 
 /// The frames of the strips of a contact.
-struct Frames<'a, F> {
-    contact: &'a WheelContact<F>,
-    axes: Axes<F>,
+pub(super) struct Frames<'a, F> {
+    pub(super) contact: &'a WheelContact<F>,
+    pub(super) axes: Axes<F>,
 }
 
 impl<F: Float> Frames<'_, F> {
     /// The frame of a strip by its number, in a patch that may be turned by 180 degrees.
-    fn of_strip(&self, number: usize, is_turned: bool) -> OwnFrame<F> {
+    pub(super) fn of_strip(&self, number: usize, is_turned: bool) -> OwnFrame<F> {
         let Self { contact, axes } = self;
         let count = contact.patch.count as usize;
         let number = if is_turned { count.saturating_sub(number + 1) } else { number };
@@ -221,11 +160,11 @@ fn add_scaled<F: Float>(sums: &mut [F; 6], terms: [F; 6], factor: F) {
 }
 
 /// What the creep forces of one end of a contact follow from.
-struct End<'a, F, const SLOPES: bool> {
-    velocity: &'a [F; 6],
-    speed: F,
-    falling: Option<&'a SlipFriction<F>>,
-    model: Model,
+pub(super) struct End<'a, F, const SLOPES: bool> {
+    pub(super) velocity: &'a [F; 6],
+    pub(super) speed: F,
+    pub(super) falling: Option<&'a SlipFriction<F>>,
+    pub(super) model: Model,
 }
 
 /// Sums over the strips of an end at a constant share of friction.
@@ -271,7 +210,7 @@ type Creepages<F> = Vec<Creepage<F>, KSTRIP_PATCH_CAPACITY>;
 
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     /// What the strips have besides the creepages of the patch where they are.
-    fn own_creepages(
+    pub(super) fn own_creepages(
         &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
     ) -> Creepages<F> {
         let per_speed = F::one() / self.speed;
