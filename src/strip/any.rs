@@ -126,7 +126,7 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
                 P::all(F::stored(*own))
             });
             let both = listed(of_outer).zip(listed(of_inner));
-            write_strips(
+            write_columns(
                 found,
                 first,
                 both.map(|(of_outer, of_inner)| of_outer * outer + of_inner * inner),
@@ -136,14 +136,14 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
             });
-            write_strips(found, first, listed(own));
+            write_columns(found, first, listed(own));
         }
     }
 }
 
 /// Replaces the numbers of the strips from the first one on.
 #[inline(always)]
-fn write_strips<F: Real, P: Strips<F>, const ROWS: usize>(
+fn write_columns<F: Real, P: Strips<F>, const ROWS: usize>(
     (carried, slopes): &mut ForcesAndSlopes<F, ROWS>, first: usize,
     numbers: impl Iterator<Item = P>,
 ) {
