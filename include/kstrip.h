@@ -33,7 +33,8 @@
  *         patch_summarize, patch_evaluate, patch_evaluate_strips, patch_field
  *     Wheel on rail: read_profile, orient_profiles, prepare_profile, profile_between, touch,
  *         contacts_from_gap, wheel_motion, wrench_from_contacts, contact_power_across,
- *         wheel_on_rail, wheels_on_rails, height_for_load, heights_for_loads
+ *         wheel_on_rail, wheels_on_rails, height_for_load, heights_for_loads, table_size,
+ *         table_begin, table_fill, table_finish, table_check, wheel_on_table
  *     The wheelset: gauge_face, curve_motion, wheelset_on_track, wheelset_settle,
  *         wheelsets_on_track, wheelsets_settle, rolling_radius_difference, equivalent_conicity
  *     Test rigs: estimate_friction, creepage_for_force, fit_friction
@@ -382,6 +383,25 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_FILE_MISSING -75
 /** Error: the share of a profile between two slices is not in 0 to 1. */
 #define KSTRIP_ERROR_SLICE_SHARE -76
+/**
+ * Error: the memory is not a contact table of this version: it is damaged, cut off, or something
+ * else.
+ */
+#define KSTRIP_ERROR_TABLE -80
+/** Error: a contact table is not finished, or it is and is to be filled. */
+#define KSTRIP_ERROR_TABLE_UNFINISHED -81
+/**
+ * Error: a contact table was made for another radius, material or smoothing length, or the rail is
+ * a roller.
+ */
+#define KSTRIP_ERROR_TABLE_PAIR -82
+/**
+ * Error: a range of a contact table is empty or negative, no lateral position of it has a contact,
+ * there are too few nodes, the strips are not 12 to 32, or there is no such part.
+ */
+#define KSTRIP_ERROR_TABLE_SPEC -83
+/** Error: a position is outside the ranges of a contact table, or its load is above the largest. */
+#define KSTRIP_ERROR_TABLE_RANGE -84
 
 /**
  * Text in English with the cause of a status and the remedy.
@@ -2469,6 +2489,187 @@ kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
                                        struct kstrip_wheel_workspace *workspace,
                                        double *verticals,
                                        kstrip_status *statuses);
+
+/** Ranges of a contact table, and how many nodes it has. */
+typedef struct kstrip_table_spec {
+    /**
+     * Range of the lateral position without yaw and roll [m]. It shifts with the place at which
+     * the flange touches, about by roll times wheel_radius.
+     */
+    double lateral_from;
+    /** End of this range [m]. */
+    double lateral_to;
+    /** Largest yaw to both sides [rad], >= 0; 0: no yaw. */
+    double yaw;
+    /** Largest roll to both sides [rad], >= 0; 0: no roll. */
+    double roll;
+    /** Largest vertical support of the wheel [N], > 0. */
+    double load;
+    /** Lateral nodes, 9 to 256; 0: 99. */
+    uint32_t lateral_nodes;
+    /** Levels of the load, 3 to 64; 0: 20. */
+    uint32_t levels;
+    /** Nodes of yaw; 0: 3, without yaw 1. */
+    uint32_t yaw_nodes;
+    /** Nodes of roll, an odd number; 0: at most 2.5 mrad apart, without roll 1. */
+    uint32_t roll_nodes;
+    /**
+     * Quantity of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
+     * wheel at which the table has numbers.
+     */
+    uint32_t strips;
+    /** Reserved: zero. */
+    uint32_t reserved;
+} kstrip_table_spec;
+
+/**
+ * Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which
+ * kstrip_wheel_on_table() interpolates. docs/reference/contact-tables.md has its accuracy.
+ *
+ * A table is caller-provided memory at any address, without pointers and little-endian. It may be
+ * written to a file, and read or mapped again on another machine and by either precision. It is
+ * begun, its parts are filled in any order and on any threads, and it is finished.
+ *
+ * @param wheel           prepared profile.
+ * @param spec            ranges and numbers of nodes.
+ * @param[out] bytes      receives the length that a table needs while it is filled.
+ * @param[out] parts      receives the number of its parts.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL; KSTRIP_ERROR_NOT_PREPARED (wheel); KSTRIP_ERROR_NOT_FINITE
+ *         and KSTRIP_ERROR_TABLE_SPEC (spec); KSTRIP_ERROR_CAPACITY (too many nodes, or 4 GB).
+ */
+kstrip_status kstrip_table_size(const struct kstrip_surface *wheel,
+                                const struct kstrip_table_spec *spec,
+                                uint32_t *bytes,
+                                uint32_t *parts);
+
+/**
+ * Begins a table: it finds the lateral nodes, in the time of about 200 parts.
+ *
+ * @param rail, wheel, pair  as in kstrip_wheel_on_rail(), with a straight rail; side, friction,
+ *                        damping, strips and model do not matter.
+ * @param spec            as in kstrip_table_size().
+ * @param workspace       memory that may hold anything.
+ * @param[out] table      memory of that many bytes.
+ * @param bytes           at least what kstrip_table_size() gives.
+ * @return KSTRIP_OK; a status of kstrip_table_size(); KSTRIP_ERROR_CAPACITY (bytes);
+ *         KSTRIP_ERROR_TABLE_PAIR (a roller); KSTRIP_ERROR_TABLE_SPEC (no lateral position of the
+ *         range has a contact); an error of kstrip_wheel_on_rail() about its arguments.
+ */
+kstrip_status kstrip_table_begin(const struct kstrip_surface *rail,
+                                 const struct kstrip_surface *wheel,
+                                 const struct kstrip_wheel_pair *pair,
+                                 const struct kstrip_table_spec *spec,
+                                 struct kstrip_wheel_workspace *workspace,
+                                 uint8_t *table,
+                                 uint32_t bytes);
+
+/**
+ * Fills parts of a table that is begun, each in about the time of 100 calls of
+ * kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with a workspace
+ * of their own. Call it with few parts to tell the progress.
+ *
+ * @param rail, wheel, pair  those with which it was begun.
+ * @param first, count    number of the first part, and how many.
+ * @param workspace       memory that may hold anything.
+ * @param[in,out] table, bytes  the table.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL; KSTRIP_ERROR_TABLE (no table, or bytes too few);
+ *         KSTRIP_ERROR_TABLE_UNFINISHED (it is finished already); KSTRIP_ERROR_TABLE_PAIR (another
+ *         pair); KSTRIP_ERROR_TABLE_SPEC (there are no such parts); an error of
+ *         kstrip_wheel_on_rail() about its arguments.
+ */
+kstrip_status kstrip_table_fill(const struct kstrip_surface *rail,
+                                const struct kstrip_surface *wheel,
+                                const struct kstrip_wheel_pair *pair,
+                                uint32_t first,
+                                uint32_t count,
+                                struct kstrip_wheel_workspace *workspace,
+                                uint8_t *table,
+                                uint32_t bytes);
+
+/** The size of a finished table, and its measured error. */
+typedef struct kstrip_table_report {
+    /**
+     * Error of the horizontal force over friction times load [-]: not exceeded by 95 of 100
+     * poses.
+     */
+    double force_usual;
+    /** The largest one [-]. */
+    double force_largest;
+    /** Error of the vertical force over that force [-]: not exceeded by 95 of 100 poses. */
+    double load_usual;
+    /** The largest one [-]. */
+    double load_largest;
+    /** Length of the table [bytes]. */
+    uint32_t bytes;
+    /** Quantity of poses that were compared. */
+    uint32_t poses;
+    /** Quantity of poses that the direct computation has, and the table has not. */
+    uint32_t missing;
+    /** Quantity of nodes without a contact. */
+    uint32_t empty;
+} kstrip_table_report;
+
+/**
+ * Finishes a table whose parts are filled: it becomes shorter, its error is measured against the
+ * direct call with 64 strips, and it gets a checksum. The positions of the measurement have 2.3 to
+ * 91 % of the largest load and are spread over the ranges.
+ *
+ * @param rail, wheel, pair  those with which it was begun.
+ * @param poses           number of these positions: 500 are enough, and take about a second.
+ * @param workspace       memory that may hold anything.
+ * @param[in,out] table, bytes  the table.
+ * @param[out] report     receives the length that the table has now, and its error.
+ * @return as kstrip_table_fill(); KSTRIP_ERROR_TABLE_UNFINISHED where a part is not filled, after
+ *         which it must be begun again.
+ */
+kstrip_status kstrip_table_finish(const struct kstrip_surface *rail,
+                                  const struct kstrip_surface *wheel,
+                                  const struct kstrip_wheel_pair *pair,
+                                  uint32_t poses,
+                                  struct kstrip_wheel_workspace *workspace,
+                                  uint8_t *table,
+                                  uint32_t bytes,
+                                  struct kstrip_table_report *report);
+
+/**
+ * Reads all of a finished table. Call it once where a table comes from a file: the other functions
+ * read no more than they need, and a damaged table gives them wrong numbers, but no wrong access.
+ *
+ * @param table, bytes    the table, or more bytes than it has.
+ * @param[out] length     receives its length [bytes]; NULL: not needed.
+ * @return KSTRIP_OK; KSTRIP_ERROR_NULL; KSTRIP_ERROR_TABLE (damaged, cut off, of another version,
+ *         or something else); KSTRIP_ERROR_TABLE_UNFINISHED (it is begun only).
+ */
+kstrip_status kstrip_table_check(const uint8_t *table, uint32_t bytes, uint32_t *length);
+
+/**
+ * kstrip_wheel_on_rail() from a table. Force and moment are continuous over the whole table, with
+ * the same contacts; the gap is not computed.
+ *
+ * @param table, bytes    a finished table.
+ * @param pair            friction, side, model, damping, floor_speed and rail_speed. The radius,
+ *                        the materials and the smoothing length are those of the table, the number
+ *                        of strips is that of its spec, and the rail is straight.
+ * @param position, velocity, friction, workspace, wrench, derivatives  as in
+ *                        kstrip_wheel_on_rail().
+ * @param[out] by_position  receives the derivatives of what is interpolated with respect to
+ *                        position: one-sided differences; NULL: not needed.
+ * @return KSTRIP_OK; KSTRIP_WARNING_ANGLE_RANGE or KSTRIP_WARNING_ROUGH as there;
+ *         KSTRIP_ERROR_NULL; KSTRIP_ERROR_TABLE_RANGE (outside the table, where
+ *         kstrip_wheel_on_rail() takes over); KSTRIP_ERROR_TABLE (no table, or bytes too few);
+ *         KSTRIP_ERROR_TABLE_UNFINISHED (it is begun only); KSTRIP_ERROR_TABLE_PAIR (another
+ *         pair); an error of kstrip_wheel_on_rail() about its arguments.
+ */
+kstrip_status kstrip_wheel_on_table(const uint8_t *table,
+                                    uint32_t bytes,
+                                    const struct kstrip_wheel_pair *pair,
+                                    const struct kstrip_wheel_position *position,
+                                    const struct kstrip_wheel_velocity *velocity,
+                                    const struct kstrip_friction *friction,
+                                    struct kstrip_wheel_workspace *workspace,
+                                    struct kstrip_wrench *wrench,
+                                    struct kstrip_wrench_derivatives *derivatives,
+                                    struct kstrip_wrench_by_position *by_position);
 
 /** @} */
 

@@ -146,6 +146,11 @@ enum class [[nodiscard]] status : std::int32_t {
     error_file_units = KSTRIP_ERROR_FILE_UNITS,
     error_file_missing = KSTRIP_ERROR_FILE_MISSING,
     error_slice_share = KSTRIP_ERROR_SLICE_SHARE,
+    error_table = KSTRIP_ERROR_TABLE,
+    error_table_unfinished = KSTRIP_ERROR_TABLE_UNFINISHED,
+    error_table_pair = KSTRIP_ERROR_TABLE_PAIR,
+    error_table_spec = KSTRIP_ERROR_TABLE_SPEC,
+    error_table_range = KSTRIP_ERROR_TABLE_RANGE,
 };
 
 constexpr bool is_error(status s) noexcept { return static_cast<std::int32_t>(s) < 0; }
@@ -1573,6 +1578,70 @@ status wheel_on_rail(const basic_surface<T> &rail, const basic_surface<T> &wheel
                            by_position);
 }
 
+/// Ranges of a contact table, and how many nodes it has; zero: the library's choice. See kstrip_table_spec.
+template <class T>
+struct basic_table_spec {
+    basic_metres<T> lateral_from{}, lateral_to{};
+    basic_radians<T> yaw{}, roll{};
+    basic_newtons<T> load{};
+    std::uint32_t lateral_nodes{}, levels{}, yaw_nodes{}, roll_nodes{}, strips{}, reserved{};
+};
+KSTRIP_HPP_BOTH(table_spec)
+
+/// The length of a contact table, and its measured error. See kstrip_table_report.
+template <class T>
+struct basic_table_report {
+    T force_usual, force_largest, load_usual, load_largest;
+    std::uint32_t bytes, poses, missing, empty;
+};
+KSTRIP_HPP_BOTH(table_report)
+
+/// The memory that a table needs while it is filled, and the number of its parts.
+template <class T>
+status table_size(const basic_surface<T> &wheel, const basic_table_spec<T> &spec, std::uint32_t &bytes, std::uint32_t &parts) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_table_size, &wheel, &spec, &bytes, &parts);
+}
+
+template <class T>
+status table_begin(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
+                   const basic_table_spec<T> &spec, basic_wheel_workspace<T> &workspace, std::uint8_t *table, std::uint32_t bytes) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_table_begin, &rail, &wheel, &both, &spec, &workspace, table, bytes);
+}
+
+/// Several threads may each fill other parts, with a workspace of their own.
+template <class T>
+status table_fill(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both, std::uint32_t first,
+                  std::uint32_t count, basic_wheel_workspace<T> &workspace, std::uint8_t *table, std::uint32_t bytes) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_table_fill, &rail, &wheel, &both, first, count, &workspace, table, bytes);
+}
+
+template <class T>
+status table_finish(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both, std::uint32_t poses,
+                    basic_wheel_workspace<T> &workspace, std::uint8_t *table, std::uint32_t bytes, basic_table_report<T> &to) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_table_finish, &rail, &wheel, &both, poses, &workspace, table, bytes, &to);
+}
+
+/// Reads all of a table that comes from a file.
+inline status table_check(const std::uint8_t *table, std::uint32_t bytes, std::uint32_t &length) noexcept
+{
+    return static_cast<status>(kstrip_table_check(table, bytes, &length));
+}
+
+/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not needed.
+template <class T>
+status wheel_on_table(const std::uint8_t *table, std::uint32_t bytes, const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
+                      const basic_wheel_velocity<T> &moves, const detail::only<basic_friction<T>> *law,
+                      basic_wheel_workspace<T> &workspace, basic_wrench<T> &to,
+                      detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
+                      detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
+{
+    return KSTRIP_HPP_CALL(kstrip_wheel_on_table, table, bytes, &both, &where, &moves, law, &workspace, &to, slopes, by_position);
+}
+
 namespace detail {
 /// From one element of an array to the next: 0 where one element stands for all.
 template <class T>
@@ -1832,6 +1901,62 @@ basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surfac
                                 const detail::only<basic_wheel_velocity<T>> *moves = nullptr,
                                 const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
+
+/// A contact table with memory of its own: filled, or read from the bytes of a file.
+template <class T>
+class basic_contact_table {
+  public:
+    /// Filled in this thread. `poses`: at how many positions the error is measured.
+    basic_contact_table(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
+                        const basic_table_spec<T> &spec, basic_wheel_workspace<T> &workspace, std::uint32_t poses = 500)
+    {
+        std::uint32_t size = 0, parts = 0;
+        detail::check(table_size(wheel, spec, size, parts));
+        own.resize(size);
+        detail::check(table_begin(rail, wheel, both, spec, workspace, own.data(), size));
+        detail::check(table_fill(rail, wheel, both, 0, parts, workspace, own.data(), size));
+        basic_table_report<T> found{};
+        detail::check(table_finish(rail, wheel, both, poses, workspace, own.data(), size, found));
+        own.resize(found.bytes);
+        own.shrink_to_fit();
+        measured = found;
+    }
+    /// Read from bytes, which are checked. The report is zero.
+    explicit basic_contact_table(std::vector<std::uint8_t> bytes) : own(std::move(bytes))
+    {
+        std::uint32_t length = 0;
+        detail::check(table_check(own.data(), detail::capacity(own.size()), length));
+        own.resize(length);
+    }
+    /// The bytes, for a file.
+    const std::vector<std::uint8_t> &bytes() const noexcept { return own; }
+    const basic_table_report<T> &report() const noexcept { return measured; }
+    /// The wrench alone. `law`: null where friction is constant.
+    basic_wrench<T> wheel(const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
+                          basic_wheel_workspace<T> &workspace, const basic_friction<T> *law = nullptr) const
+    {
+        basic_wrench<T> to{};
+        detail::check(wheel_on_table(own.data(), size(), both, where, moves, law, workspace, to));
+        return to;
+    }
+    /// The wrench with its derivatives. `by_position`: whether to compute those with respect to the position too.
+    basic_wheel_evaluation<T> wheel_with_derivatives(const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
+                                                     const basic_wheel_velocity<T> &moves, basic_wheel_workspace<T> &workspace,
+                                                     const basic_friction<T> *law = nullptr, bool by_position = false) const
+    {
+        basic_wheel_evaluation<T> to{};
+        detail::check(wheel_on_table(own.data(), size(), both, where, moves, law, workspace, to.wrench, &to.derivatives,
+                                     by_position ? &to.by_position : nullptr));
+        return to;
+    }
+
+  private:
+    std::uint32_t size() const noexcept { return detail::capacity(own.size()); }
+    std::vector<std::uint8_t> own;
+    basic_table_report<T> measured{};
+};
+using contact_table = basic_contact_table<double>;
+using contact_table_f32 = basic_contact_table<float>;
 
 /// The heights of many wheels. Arrays: one element for all, or one for each. `moves`: empty: the pressure carries the load.
 template <class T>

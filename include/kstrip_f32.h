@@ -868,6 +868,83 @@ kstrip_status kstrip_heights_for_loads_f32(const struct kstrip_surface_f32 *rail
                                            float *verticals,
                                            kstrip_status *statuses);
 
+/** Ranges of a contact table, and how many nodes it has. */
+typedef struct kstrip_table_spec_f32 {
+    float lateral_from;
+    float lateral_to;
+    float yaw;
+    float roll;
+    float load;
+    uint32_t lateral_nodes;
+    uint32_t levels;
+    uint32_t yaw_nodes;
+    uint32_t roll_nodes;
+    uint32_t strips;
+    uint32_t reserved;
+} kstrip_table_spec_f32;
+
+/** kstrip_table_size() in single precision. */
+kstrip_status kstrip_table_size_f32(const struct kstrip_surface_f32 *wheel,
+                                    const struct kstrip_table_spec_f32 *spec,
+                                    uint32_t *bytes,
+                                    uint32_t *parts);
+
+/** kstrip_table_begin() in single precision. */
+kstrip_status kstrip_table_begin_f32(const struct kstrip_surface_f32 *rail,
+                                     const struct kstrip_surface_f32 *wheel,
+                                     const struct kstrip_wheel_pair_f32 *pair,
+                                     const struct kstrip_table_spec_f32 *spec,
+                                     struct kstrip_wheel_workspace_f32 *workspace,
+                                     uint8_t *table,
+                                     uint32_t bytes);
+
+/** kstrip_table_fill() in single precision. */
+kstrip_status kstrip_table_fill_f32(const struct kstrip_surface_f32 *rail,
+                                    const struct kstrip_surface_f32 *wheel,
+                                    const struct kstrip_wheel_pair_f32 *pair,
+                                    uint32_t first,
+                                    uint32_t count,
+                                    struct kstrip_wheel_workspace_f32 *workspace,
+                                    uint8_t *table,
+                                    uint32_t bytes);
+
+/** The size of a finished table, and its measured error. */
+typedef struct kstrip_table_report_f32 {
+    float force_usual;
+    float force_largest;
+    float load_usual;
+    float load_largest;
+    uint32_t bytes;
+    uint32_t poses;
+    uint32_t missing;
+    uint32_t empty;
+} kstrip_table_report_f32;
+
+/** kstrip_table_finish() in single precision. */
+kstrip_status kstrip_table_finish_f32(const struct kstrip_surface_f32 *rail,
+                                      const struct kstrip_surface_f32 *wheel,
+                                      const struct kstrip_wheel_pair_f32 *pair,
+                                      uint32_t poses,
+                                      struct kstrip_wheel_workspace_f32 *workspace,
+                                      uint8_t *table,
+                                      uint32_t bytes,
+                                      struct kstrip_table_report_f32 *report);
+
+/** kstrip_table_check() in single precision. */
+kstrip_status kstrip_table_check_f32(const uint8_t *table, uint32_t bytes, uint32_t *length);
+
+/** kstrip_wheel_on_table() in single precision. */
+kstrip_status kstrip_wheel_on_table_f32(const uint8_t *table,
+                                        uint32_t bytes,
+                                        const struct kstrip_wheel_pair_f32 *pair,
+                                        const struct kstrip_wheel_position_f32 *position,
+                                        const struct kstrip_wheel_velocity_f32 *velocity,
+                                        const struct kstrip_friction_f32 *friction,
+                                        struct kstrip_wheel_workspace_f32 *workspace,
+                                        struct kstrip_wrench_f32 *wrench,
+                                        struct kstrip_wrench_derivatives_f32 *derivatives,
+                                        struct kstrip_wrench_by_position_f32 *by_position);
+
 /** @} */
 
 /**

@@ -111,6 +111,8 @@ pub mod rig;
 pub mod status;
 pub mod strip;
 pub mod strip_1967;
+#[cfg(feature = "tables")]
+pub mod table;
 pub mod total;
 pub mod wheel_rail;
 pub mod wheelset;

@@ -243,6 +243,25 @@ statuses! {
         KSTRIP_ERROR_SLICE_SHARE SliceShare = -76:
             "the share of a profile between two slices is not in 0 to 1",
             "pass the distance from the first slice divided by that of both";
+        KSTRIP_ERROR_TABLE Table = -80:
+            "the memory is not a contact table of this version: it is damaged, cut off, or \
+             something else",
+            "build the table again";
+        KSTRIP_ERROR_TABLE_UNFINISHED TableUnfinished = -81:
+            "a contact table is not finished, or it is and is to be filled",
+            "fill all parts, and then finish it";
+        KSTRIP_ERROR_TABLE_PAIR TablePair = -82:
+            "a contact table was made for another radius, material or smoothing length, or the \
+             rail is a roller",
+            "pass the pair that the table was made for, with a straight rail";
+        KSTRIP_ERROR_TABLE_SPEC TableSpec = -83:
+            "a range of a contact table is empty or negative, no lateral position of it has a \
+             contact, there are too few nodes, the strips are not 12 to 32, or there is no such \
+             part";
+        KSTRIP_ERROR_TABLE_RANGE TableRange = -84:
+            "a position is outside the ranges of a contact table, or its load is above the \
+             largest",
+            "take kstrip_wheel_on_rail() there";
     }
 }
 

@@ -105,6 +105,11 @@ module kstrip
    integer(c_int32_t), parameter :: kstrip_error_file_units = -74
    integer(c_int32_t), parameter :: kstrip_error_file_missing = -75
    integer(c_int32_t), parameter :: kstrip_error_slice_share = -76
+   integer(c_int32_t), parameter :: kstrip_error_table = -80
+   integer(c_int32_t), parameter :: kstrip_error_table_unfinished = -81
+   integer(c_int32_t), parameter :: kstrip_error_table_pair = -82
+   integer(c_int32_t), parameter :: kstrip_error_table_spec = -83
+   integer(c_int32_t), parameter :: kstrip_error_table_range = -84
    integer(c_int32_t), parameter :: kstrip_model_default = 0
    integer(c_int32_t), parameter :: kstrip_model_strip_1967 = 1
    integer(c_int32_t), parameter :: kstrip_model_strip_1967_continuous = 2
@@ -601,6 +606,33 @@ module kstrip
       real(c_double) :: vertical(6) = 0
       real(c_double) :: yaw(6) = 0
       real(c_double) :: roll(6) = 0
+   end type
+
+   !> Ranges of a contact table, and how many nodes it has.
+   type, bind(c) :: kstrip_table_spec
+      real(c_double) :: lateral_from = 0
+      real(c_double) :: lateral_to = 0
+      real(c_double) :: yaw = 0
+      real(c_double) :: roll = 0
+      real(c_double) :: load = 0
+      integer(c_int32_t) :: lateral_nodes = 0
+      integer(c_int32_t) :: levels = 0
+      integer(c_int32_t) :: yaw_nodes = 0
+      integer(c_int32_t) :: roll_nodes = 0
+      integer(c_int32_t) :: strips = 0
+      integer(c_int32_t) :: reserved = 0
+   end type
+
+   !> The size of a finished table, and its measured error.
+   type, bind(c) :: kstrip_table_report
+      real(c_double) :: force_usual = 0
+      real(c_double) :: force_largest = 0
+      real(c_double) :: load_usual = 0
+      real(c_double) :: load_largest = 0
+      integer(c_int32_t) :: bytes = 0
+      integer(c_int32_t) :: poses = 0
+      integer(c_int32_t) :: missing = 0
+      integer(c_int32_t) :: empty = 0
    end type
 
    !> A curve that a vehicle runs through: the axes of the track move forward and turn with it.
@@ -1134,6 +1166,79 @@ module kstrip
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: verticals(*)
          integer(c_int32_t), intent(inout), optional :: statuses(*)
+      end function
+
+      !> Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which kstrip_wheel_on_table()
+      !> interpolates.
+      integer(c_int32_t) function kstrip_table_size(wheel, spec, bytes, parts) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_table_spec), intent(in) :: spec
+         integer(c_int32_t), intent(inout) :: bytes
+         integer(c_int32_t), intent(inout) :: parts
+      end function
+
+      !> Begins a table: it finds the lateral nodes, in the time of about 200 parts.
+      integer(c_int32_t) function kstrip_table_begin(rail, wheel, pair, spec, workspace, table, bytes) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_wheel_pair), intent(in) :: pair
+         type(kstrip_table_spec), intent(in) :: spec
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         integer(c_int8_t), intent(inout) :: table(*)
+         integer(c_int32_t), value :: bytes
+      end function
+
+      !> Fills parts of a table that is begun, each in about the time of 100 calls of kstrip_wheel_on_rail().
+      integer(c_int32_t) function kstrip_table_fill(rail, wheel, pair, first, count, workspace, table, bytes) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_wheel_pair), intent(in) :: pair
+         integer(c_int32_t), value :: first
+         integer(c_int32_t), value :: count
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         integer(c_int8_t), intent(inout) :: table(*)
+         integer(c_int32_t), value :: bytes
+      end function
+
+      !> Finishes a table whose parts are filled: it becomes shorter, its error is measured against the direct call with
+      !> 64 strips, and it gets a checksum.
+      integer(c_int32_t) function kstrip_table_finish(rail, wheel, pair, poses, workspace, table, bytes, report) bind(c)
+         import
+         type(kstrip_surface), intent(in) :: rail
+         type(kstrip_surface), intent(in) :: wheel
+         type(kstrip_wheel_pair), intent(in) :: pair
+         integer(c_int32_t), value :: poses
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         integer(c_int8_t), intent(inout) :: table(*)
+         integer(c_int32_t), value :: bytes
+         type(kstrip_table_report), intent(inout) :: report
+      end function
+
+      !> Reads all of a finished table.
+      integer(c_int32_t) function kstrip_table_check(table, bytes, length) bind(c)
+         import
+         integer(c_int8_t), intent(in) :: table(*)
+         integer(c_int32_t), value :: bytes
+         integer(c_int32_t), intent(inout), optional :: length
+      end function
+
+      !> kstrip_wheel_on_rail() from a table.
+      integer(c_int32_t) function kstrip_wheel_on_table(table, bytes, pair, position, velocity, &
+         friction, workspace, wrench, derivatives, by_position) bind(c)
+         import
+         integer(c_int8_t), intent(in) :: table(*)
+         integer(c_int32_t), value :: bytes
+         type(kstrip_wheel_pair), intent(in) :: pair
+         type(kstrip_wheel_position), intent(in) :: position
+         type(kstrip_wheel_velocity), intent(in) :: velocity
+         type(kstrip_friction), intent(in) :: friction
+         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         type(kstrip_wrench), intent(inout) :: wrench
+         type(kstrip_wrench_derivatives), intent(inout) :: derivatives
+         type(kstrip_wrench_by_position), intent(inout), optional :: by_position
       end function
 
       !> The gauge face of a rail: the least y of its profile down to a depth below its top.

@@ -12,7 +12,7 @@ import read_header
 
 HERE = pathlib.Path(__file__).resolve().parent
 #: Structures that are made for one call, or have a class of their own
-INTERNAL = {"options", "surface", "gap", "wheel_workspace", "wheelset_workspace", "prepared", "profile_contact", "measured_force", "wheelset_loads"}
+INTERNAL = {"options", "surface", "gap", "wheel_workspace", "wheelset_workspace", "prepared", "profile_contact", "measured_force", "wheelset_loads", "table_spec", "table_report"}
 #: Classes with more members than those of the structure
 BASES = {"wheel_pair": "FrictionPlaces"}
 SCALARS = {"double": "float", "int32_t": "int", "uint32_t": "int", "kstrip_status": "int"}

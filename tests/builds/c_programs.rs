@@ -337,6 +337,20 @@ fn profiles_of_the_standards_are_smooth() {
     }
 }
 
+/// The wheels of a train over a table: all inside its ranges, and friction takes power.
+#[test]
+#[ignore = "a step of .ci/run: it fills a table"]
+fn a_train_runs_on_a_table() {
+    let folder = root().join("tests/data/wheel_rail");
+    let text = run_c_with("c_examples/13_train.c", &[folder.to_str().expect("a path"), "20"]);
+    let line = |start: &str| text.lines().find(|line| line.starts_with(start)).expect(start);
+    let [forces, of_mu, ..] = numbers(line("forces within"))[..] else { panic!("{text}") };
+    assert!(forces > 0.0 && forces < 0.02 && of_mu == 95.0, "{text}");
+    assert!(text.contains("400 wheels, 20 steps of a millisecond: 0 outside the table"), "{text}");
+    let [power, lateral] = numbers(line("friction takes"))[..] else { panic!("{text}") };
+    assert!(power > 1.0 && (1.0..60.0).contains(&lateral), "{text}");
+}
+
 /// A bogie on flexible rails hunts in a limit cycle, leans on its flange in a curve with the
 /// lateral forces that balance asks for, is held on a grade, and is lifted and set down.
 #[test]

@@ -6,7 +6,7 @@ use kstrip_testing::header::{Function, Structure, Variable, declared};
 const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
 
 /// Pointers by these names are arrays; other pointers are one object.
-const ARRAYS: &str = "x y z contacts distance points strips \
+const ARRAYS: &str = "table x y z contacts distance points strips \
     text counts turned_y turned_z \
     coefficients weight shifts differences amplitudes conicities wave_lengths";
 
@@ -87,6 +87,7 @@ fn kind(name: &str) -> (String, &'static str) {
     match name {
         "double" => ("real(c_double)".to_owned(), " = 0"),
         "int32_t" | "uint32_t" | "kstrip_status" => ("integer(c_int32_t)".to_owned(), " = 0"),
+        "uint8_t" => ("integer(c_int8_t)".to_owned(), ""),
         "char" => ("character(kind=c_char)".to_owned(), ""),
         "ptrdiff_t" => ("integer(c_intptr_t)".to_owned(), " = 0"),
         structure => (format!("type({structure})"), ""),

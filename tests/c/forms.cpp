@@ -220,6 +220,19 @@ int main()
         dissipated += each.power;
     expect(std::abs(dissipated - wrench.dissipation) < 1e-9 * dissipated, "contact_power_across: dissipation");
 
+    // A contact table of it
+    kstrip::table_spec spec;
+    spec.lateral_from = -1_mm, spec.lateral_to = 1_mm, spec.load = 200_kN, spec.lateral_nodes = 9, spec.levels = 6;
+    const kstrip::contact_table table(rail, wheel, pair, spec, room, 10);
+    expect(table.report().bytes == table.bytes().size() && table.report().poses == 10, "contact_table: report");
+    kstrip::wheel_position placed = where;
+    placed.vertical = kstrip::height_for_load(rail, wheel, pair, placed, 80_kN, room);
+    const auto direct = kstrip::wheel_on_rail(rail, wheel, pair, placed, moves, room, &wet);
+    const kstrip::contact_table again(table.bytes());
+    const auto interpolated = again.wheel(pair, placed, moves, room, &wet);
+    expect(same(interpolated, table.wheel_with_derivatives(pair, placed, moves, room, &wet).wrench), "contact_table: both forms");
+    expect(std::abs(interpolated.force[2] / direct.force[2] - 1) < 0.02, "contact_table: load");
+
     // The wheelset of two such wheels
     kstrip::track track;
     track.rail[0] = &rail, track.gauge = 1.435_m;

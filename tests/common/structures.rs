@@ -42,6 +42,8 @@ macro_rules! structures {
         pub type kstrip_wheel_contact = kstrip::wheel_rail::contacts::WheelContact<$float>;
         pub type kstrip_wheel_workspace = kstrip::wheel_rail::scene::Workspace<$float>;
         pub type kstrip_wrench = kstrip::wheel_rail::forces::wrench::Wrench<$float>;
+        pub type kstrip_table_spec = kstrip::table::TableSpec<$float>;
+        pub type kstrip_table_report = kstrip::table::TableReport<$float>;
         pub type kstrip_wrench_derivatives =
             kstrip::wheel_rail::forces::wrench::WrenchDerivatives<$float>;
         pub type kstrip_wrench_by_position =

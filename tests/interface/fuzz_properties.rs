@@ -45,11 +45,12 @@ fn solve_keeps_its_promises_for_random_bytes() {
 /// No function of the header is left out, and none is chosen by no first byte.
 #[test]
 fn every_function_of_the_header_is_called() {
-    const LISTS: [&str; 5] = [
+    const LISTS: [&str; 6] = [
         include_str!("../common/entries/arguments.rs"),
         include_str!("../common/entries/arrays.rs"),
         include_str!("../common/entries/contacts.rs"),
         include_str!("../common/entries/patches.rs"),
+        include_str!("../common/entries/tables.rs"),
         include_str!("../common/entries/wheels.rs"),
     ];
     let header =

@@ -55,7 +55,8 @@ const GROUPS: [Group; 10] = [
         constants: "KSTRIP_SURFACE_ KSTRIP_CONTACTS_ KSTRIP_RAIL_ KSTRIP_FORMAT_ KSTRIP_NOTE_",
         functions: "read_profile orient_profiles prepare_profile profile_between touch \
             contacts_from_gap wheel_motion wrench_from_contacts contact_power_across wheel_on_rail \
-            wheels_on_rails height_for_load heights_for_loads",
+            wheels_on_rails height_for_load heights_for_loads table_size table_begin table_fill \
+            table_finish table_check wheel_on_table",
     },
     Group {
         id: "wheelset",

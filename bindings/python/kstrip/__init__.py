@@ -111,6 +111,7 @@ from ._wheelset import (
 from .values import *  # noqa: F403
 
 if TYPE_CHECKING:
+    from ._contact_table import ContactTable as ContactTable
     from ._files import Profile as Profile, oriented, read_profile, read_profiles, write_profile
     from ._files_points import ProfileError as ProfileError, ProfileWarning as ProfileWarning
     from ._files_slices import Slices as Slices, profile_between, read_slices
@@ -146,6 +147,7 @@ __all__ = [
 
 #: What reads profile files is imported when it is used first: it would double the time of `import kstrip`.
 _OF_FILES = {
+    "ContactTable": "_contact_table",
     **dict.fromkeys(("Profile", "oriented", "read_profile", "read_profiles", "write_profile"), "_files"),
     **dict.fromkeys(("ProfileError", "ProfileWarning"), "_files_points"),
     **dict.fromkeys(("Slices", "profile_between", "read_slices"), "_files_slices"),

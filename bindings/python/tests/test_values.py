@@ -124,7 +124,7 @@ class PublicObjects(unittest.TestCase):
 
     def test_they_keep_what_they_were_made_of(self):
         for kind, thing in OBJECTS.items():
-            if isinstance(thing, BaseException) or kind is kstrip.PreparedProfile:
+            if isinstance(thing, BaseException) or kind in (kstrip.PreparedProfile, kstrip.ContactTable):
                 continue
             for name in inspect.signature(kind).parameters:
                 self.assertTrue(hasattr(thing, name), f"{kind}.{name}")

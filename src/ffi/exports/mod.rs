@@ -16,6 +16,8 @@ mod motion;
 mod patch;
 mod rig;
 mod solve;
+#[cfg(feature = "tables")]
+mod tables;
 #[cfg(feature = "wheels")]
 mod wheel_rail;
 #[cfg(feature = "wheels")]
@@ -37,6 +39,8 @@ pub use motion::*;
 pub use patch::*;
 pub use rig::*;
 pub use solve::*;
+#[cfg(feature = "tables")]
+pub use tables::*;
 #[cfg(feature = "wheels")]
 pub use wheel_rail::*;
 #[cfg(feature = "wheels")]

@@ -235,6 +235,15 @@ pub unsafe extern "C" fn kstrip_contact_power_across(
     })
 }
 
+/// Whether a wrench and all its derivatives fit the floating-point type.
+pub(super) fn all_fit(
+    found: &Wrench<F>, by_velocity: &WrenchDerivatives<F>, by_position: &WrenchByPosition<F>,
+) -> bool {
+    let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
+    let moved = [lateral, vertical, yaw, roll];
+    fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
+}
+
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
 /// kstrip_wrench_from_contacts().
 ///
@@ -279,12 +288,7 @@ pub extern "C" fn kstrip_wheel_on_rail(
         let (position, velocity) = (given(position)?, given(velocity)?);
         let (memory, out) = (given(workspace)?, given(wrench)?);
         let state = BodyState { position: *position, velocity: *velocity };
-        let fits = |found: &Wrench<F>, by_velocity: &_, by_position: &WrenchByPosition<F>| {
-            let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
-            let moved = [lateral, vertical, yaw, roll];
-            fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
-        };
-        let found = with_requested(derivatives, by_position, fits, |requested| {
+        let found = with_requested(derivatives, by_position, all_fit, |requested| {
             scene.differentiate(&state, memory, requested)
         })?;
         out.write(found);
@@ -340,7 +344,7 @@ pub(super) fn fits(found: &Wrench<F>, slopes: &WrenchDerivatives<F>) -> bool {
     rows && are_finite(&numbers)
 }
 
-fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<Law<'_, F>, Error> {
+pub(super) fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<Law<'_, F>, Error> {
     let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
     Error::NotInModel.unless(model != Model::Linear)?;
     if let Some(law) = falling {

@@ -48,12 +48,12 @@ const APART: usize = 4;
 const PARTITIONS: usize = 32;
 
 /// Zones of overlap in ascending order.
-pub(super) struct Overlaps<F> {
+pub(crate) struct Overlaps<F> {
     list: Vec<Overlap<F>, ZONES>,
 }
 
 /// Successive zones that are one contact, by a share.
-pub(super) struct Group<F> {
+pub(crate) struct Group<F> {
     /// From the first to the last of its zones, with the largest depth.
     pub whole: Overlap<F>,
     /// More than 0, at most 1.
@@ -63,7 +63,7 @@ pub(super) struct Group<F> {
 }
 
 /// Groups of zones.
-pub(super) type Groups<F> = Vec<Group<F>, KSTRIP_CONTACTS_CAPACITY>;
+pub(crate) type Groups<F> = Vec<Group<F>, KSTRIP_CONTACTS_CAPACITY>;
 
 /// A zone where zones are grouped: its place, counted in free length, and its depth.
 #[derive(Clone, Copy)]
@@ -92,12 +92,16 @@ impl<F: Float> Partition<F> {
 }
 
 impl<F: Float> Overlaps<F> {
+    pub const fn new() -> Self {
+        Self { list: Vec::new() }
+    }
+
     /// The zones of a curve, made of the numbers that `number` makes.
     #[inline(never)]
     pub fn of_curve<const N: usize>(
         curve: &SmoothedProfile<F, N>, number: impl Fn(Dual<F, N>) -> F,
     ) -> Self {
-        let mut zones = Self { list: Vec::new() };
+        let mut zones = Self::new();
         curve.overlaps(number, |zone| zones.push(zone));
         zones
     }

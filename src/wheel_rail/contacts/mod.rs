@@ -24,16 +24,15 @@
 //! weighted with the strips' loads `N` and referred to its origin: for TOTAL, which has no strips.
 //! The force of the pressure is `Σ N n`.
 
-mod groups;
+pub(crate) mod groups;
 mod moves;
 mod steps;
-pub(super) mod view;
+pub(crate) mod view;
 
 use self::groups::{Groups, Overlaps};
 use self::view::{Place, View};
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
-use crate::normal::Indentation;
 use crate::normal::outline::with_cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float, add, are_finite, at, length, set_at};
@@ -41,7 +40,7 @@ use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::touch::Gap;
 use crate::wheel_rail::touch::line_of_contact::{Axes, Turn, with_moment};
-use crate::wheel_rail::touch::roller::Over;
+use crate::wheel_rail::touch::roller::{Over, Roller};
 use crate::wheel_rail::{
     KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair, dot, sine_cosine,
 };
@@ -267,12 +266,20 @@ impl<F: Float> WheelContact<F> {
         self.angle_range > F::of(FLAT)
     }
 
-    /// Fills the contact from strips along the rail.
-    fn fill(&mut self, view: &View<F>, strips: &Patch<F>, found: &Indentation<F>) {
-        let View { pair, position, .. } = view;
+    /// Fills the contact from strips along the rail, of a pair at the position of a right wheel, or
+    /// of the mirror image of a left one. `place` gives the place of a strip by its number and its
+    /// length along the rail.
+    pub(crate) fn fill(
+        &mut self, pair: &WheelPair<F>, position: &Position<F>, strips: &Patch<F>,
+        [approach, stiffness]: [F; 2], place: impl Fn(usize, F) -> Place<F>,
+    ) {
         self.patch = *strips;
-        (self.rail_axis, self.rail_rate) = view.rail_axis_and_rate();
-        let (sums, faster) = self.sums_of_strips(view);
+        let roller = Roller::new(pair, position);
+        (self.rail_axis, self.rail_rate) = match roller {
+            Some(own) => (own.axis(), pair.rail_speed / pair.rail_radius),
+            None => ([F::zero(); 2], F::zero()),
+        };
+        let (sums, faster) = self.sums_of_strips(pair, position.lateral, place);
         let [[.., load], _, _] = sums;
         let share = F::one() / (load + F::TINY);
         let [[x, y, z, along, angle, _], tangent, normal] =
@@ -285,21 +292,24 @@ impl<F: Float> WheelContact<F> {
         let [in_x, _, in_z] = self.axes().turn.to_wheelset([x, y, z]);
         self.radius = length(in_x, in_z);
         (self.normal_force, self.along, self.angle) = (load, along, angle);
-        (self.approach, self.stiffness) = (found.approach, found.stiffness);
+        (self.approach, self.stiffness) = (approach, stiffness);
         self.normal_damping = pair.normal_damping;
-        self.set_motion(view, [x, y, z], [tangent, normal], pair.rail_speed + faster * share);
+        let rail_speed = pair.rail_speed + faster * share;
+        self.set_motion([x, y, z], [tangent, normal], rail_speed, pair.floor_speed);
     }
 
     /// Places of the strips on the wheel, the speed of the rail under them, and their friction.
     /// Returns sums weighted with load: of place, length along the rail, angle and 1; of the
     /// tangent and of the normal with their moments; and of the speed of the rail over that of its
     /// pair.
-    fn sums_of_strips(&mut self, view: &View<F>) -> ([[F; 6]; 3], F) {
+    fn sums_of_strips(
+        &mut self, pair: &WheelPair<F>, lateral: F, place: impl Fn(usize, F) -> Place<F>,
+    ) -> ([[F; 6]; 3], F) {
         let (mut sums, mut faster) = ([[F::zero(); 6]; 3], F::zero());
         let (mut lowest, mut highest) = (F::LARGEST, -F::LARGEST);
         for k in 0..self.patch.count as usize {
             let Some(strip) = self.patch.strips.get_mut(k) else { break };
-            let Place { point: [x, y, z], angle, lean, over, rail_speed } = view.place(strip.y);
+            let Place { point: [x, y, z], angle, lean, over, rail_speed } = place(k, strip.y);
             set_at(&mut self.strip_y, k, y);
             set_at(&mut self.strip_z, k, z);
             set_at(&mut self.strip_angle, k, angle);
@@ -316,8 +326,8 @@ impl<F: Float> WheelContact<F> {
             for (sums, terms) in sums.iter_mut().zip(terms) {
                 add(sums, terms.map(|term| load * term));
             }
-            faster += load * (rail_speed - view.pair.rail_speed);
-            strip.friction = view.pair.friction_at_rail(view.position.lateral + y);
+            faster += load * (rail_speed - pair.rail_speed);
+            strip.friction = pair.friction_at_rail(lateral + y);
         }
         self.angle_range = highest - lowest;
         (sums, faster)
@@ -326,10 +336,10 @@ impl<F: Float> WheelContact<F> {
     /// Derivatives of slip, spin and rolling speed at a place with respect to the wheel's velocity,
     /// and the motion of a rail with this speed.
     fn set_motion(
-        &mut self, view: &View<F>, place: [F; 3], [tangent, normal]: [[F; 6]; 2], rail_speed: F,
+        &mut self, place: [F; 3], [tangent, normal]: [[F; 6]; 2], rail_speed: F, floor_speed: F,
     ) {
         let (zero, [x, _, z], [a, b, c, ..]) = (F::zero(), place, normal);
-        let over = view.over(x, z);
+        let over = self.over(x, z);
         let forward = with_moment(place, [over.cosine, zero, over.sine]);
         // V = (v_x − (ω×p)_x)/2
         let mut rolling = forward.map(|entry| entry.times(-0.5));
@@ -345,7 +355,7 @@ impl<F: Float> WheelContact<F> {
             slip_y: zero,
             spin_rate: -b * self.rail_rate,
             rolling_speed: rail_speed.times(0.5),
-            floor_speed: view.pair.floor_speed,
+            floor_speed,
         };
     }
 }
@@ -395,7 +405,8 @@ pub fn from_gap<F: Float>(
                 continue;
             }
             let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
-            contact.fill(&view, strips, &pressed);
+            let indented = [pressed.approach, pressed.stiffness];
+            contact.fill(pair, &view.position, strips, indented, |_, along| view.place(along));
             contact.share = group.share.clamped(F::zero(), F::one());
             Error::Overflow.unless(contact.is_finite())?;
             found.written += 1;

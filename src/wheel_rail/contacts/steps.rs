@@ -172,7 +172,9 @@ impl<F: Float> Steps<'_, F> {
         if strips.count == 0 {
             return Ok([F::zero(); 6]);
         }
-        contact.fill(&view.moved(moves, moves.first + k, length), strips, pressed);
+        let moved = view.moved(moves, moves.first + k, length);
+        let indented = [pressed.approach, pressed.stiffness];
+        contact.fill(moved.pair, &moved.position, strips, indented, |_, along| moved.place(along));
         contact.share = share;
         let contacts = from_ref(&**contact);
         sum_of_contacts::<_, false>(strips, contacts, &state.velocity, scene.law, None)

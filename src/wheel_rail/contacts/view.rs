@@ -39,7 +39,8 @@ pub(crate) fn reach<F: Float>(step: F, smoothing: F) -> F {
 }
 
 /// A place on the undeformed surfaces.
-pub(super) struct Place<F> {
+#[derive(Clone, Copy)]
+pub(crate) struct Place<F> {
     /// On the wheel, from its centre \[m\].
     pub point: [F; 3],
     /// Mean of the angles of both surfaces \[rad\].
@@ -118,13 +119,6 @@ impl<'a, F: Float> View<'a, F> {
     /// Where a point of the wheel is over the rail.
     pub fn over(&self, x: F, z: F) -> Over<F> {
         Roller::new(self.pair, &self.position).map_or(Over::straight(), |roller| roller.over(x, z))
-    }
-
-    /// The axis of a roller and its rate about it, zeros for a straight rail.
-    pub fn rail_axis_and_rate(&self) -> ([F; 2], F) {
-        let WheelPair { rail_speed, rail_radius, .. } = *self.pair;
-        let roller = Roller::new(self.pair, &self.position);
-        roller.map_or(([F::zero(); 2], F::zero()), |own| (own.axis(), rail_speed / rail_radius))
     }
 
     /// A place on the undeformed surfaces. They make the angle `2 β` with each other, whose tangent

@@ -117,7 +117,7 @@ pub(crate) fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] 
 
 /// A wheel that is turned.
 #[derive(Clone, Copy)]
-pub(super) struct Wheel<F> {
+pub(crate) struct Wheel<F> {
     radius: F,
     turn: Turn<F>,
     tan_yaw: F,
@@ -128,7 +128,7 @@ pub(super) struct Wheel<F> {
 }
 
 /// Points of a wheel's line of contact, side by side.
-pub(super) struct Line<P> {
+pub(crate) struct Line<P> {
     /// Places from the wheel's centre, axes of the track \[m\].
     pub place: [P; 3],
     /// Depth below the place one wheel radius under the centre \[m\].

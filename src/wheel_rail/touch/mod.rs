@@ -7,8 +7,8 @@
 
 pub(super) mod foot;
 mod gap;
-pub(super) mod line_of_contact;
-pub(super) mod roller;
+pub(crate) mod line_of_contact;
+pub(crate) mod roller;
 
 use self::foot::{Rail, UNDERCUT};
 pub use self::gap::Gap;
@@ -155,7 +155,7 @@ impl<F: Float> Above<'_, F> {
 }
 
 /// The angle from y to z of a vector: beyond ±π/2 where the second is negative.
-fn angle_of<F: Float>(sine: F, cosine: F) -> F {
+pub(crate) fn angle_of<F: Float>(sine: F, cosine: F) -> F {
     let angle = (sine / cosine).atan();
     let half_turn = if cosine >= F::zero() { F::zero() } else { F::of(PI) };
     if sine < F::zero() { angle - half_turn } else { angle + half_turn }

@@ -234,7 +234,7 @@ fn asked<T: Copy>(
 pub type Entry = (&'static str, fn(&mut Bytes));
 
 /// The functions of a precision.
-fn entry(lists: [&'static [Entry]; 5], mut choice: usize) -> Entry {
+fn entry(lists: [&'static [Entry]; 6], mut choice: usize) -> Entry {
     choice %= lists.iter().map(|list| list.len()).sum::<usize>();
     for list in lists {
         match list.get(choice) {
@@ -254,6 +254,7 @@ pub fn chosen(choice: u8) -> Entry {
             double::patches::ENTRIES,
             double::arguments::ENTRIES,
             double::wheels::ENTRIES,
+            double::tables::ENTRIES,
         ]
     } else {
         [
@@ -262,6 +263,7 @@ pub fn chosen(choice: u8) -> Entry {
             single::patches::ENTRIES,
             single::arguments::ENTRIES,
             single::wheels::ENTRIES,
+            single::tables::ENTRIES,
         ]
     };
     entry(lists, usize::from(choice % 128))

@@ -12,6 +12,8 @@ pub mod arrays;
 pub mod contacts;
 #[path = "patches.rs"]
 pub mod patches;
+#[path = "tables.rs"]
+pub mod tables;
 #[path = "wheels.rs"]
 pub mod wheels;
 use super::structures::single::*;

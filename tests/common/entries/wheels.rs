@@ -169,16 +169,16 @@ fn profile_between(bytes: &mut Bytes) {
 }
 
 /// A wheel over a rail as a program may have it.
-struct Scene {
-    rail: Box<kstrip_surface>,
-    wheel: Box<kstrip_surface>,
-    pair: kstrip_wheel_pair,
-    position: kstrip_wheel_position,
-    velocity: kstrip_wheel_velocity,
+pub struct Scene {
+    pub rail: Box<kstrip_surface>,
+    pub wheel: Box<kstrip_surface>,
+    pub pair: kstrip_wheel_pair,
+    pub position: kstrip_wheel_position,
+    pub velocity: kstrip_wheel_velocity,
 }
 
 impl Scene {
-    fn new(bytes: &mut Bytes) -> Self {
+    pub fn new(bytes: &mut Bytes) -> Self {
         let (mut rail, mut wheel) = (zeroed::<kstrip_surface>(), zeroed::<kstrip_surface>());
         prepare(bytes, 0.3, Some(&mut rail));
         prepare(bytes, -0.5, Some(&mut wheel));
@@ -299,7 +299,7 @@ fn motion(bytes: &mut Bytes) {
 }
 
 /// What holds for a wrench: nothing of a lifted wheel, no energy gained.
-fn plausible(wrench: &kstrip_wrench, status: i32) {
+pub fn plausible(wrench: &kstrip_wrench, status: i32) {
     assert_eq!(wrench.warning.code(), status);
     assert!(finite(&wrench.members()) && finite(&[wrench.dissipation, wrench.normal_force]));
     if wrench.contacts == 0 {

@@ -1,0 +1,157 @@
+//! The numbers of a position at the places of the wheel, and what the heights tell.
+//!
+//! The nodes around the position give the heights of all levels there. With the vertical position
+//! these give the support, and the levels around. `l²`, `p²` and half the angle between the
+//! surfaces are blended over all nodes around.
+
+use super::axis::Around;
+use super::block::{ContactTable, Counts, MOST_PLACES, Quantity, Record, SQUARE_FLOOR};
+use crate::number::{Float, add, ascend, at};
+use crate::status::Error;
+use crate::wheel_rail::Position;
+use heapless::Vec;
+
+/// Largest number of nodes around a position.
+const AROUND: usize = 256;
+
+/// The numbers of a position at successive places of the wheel.
+pub(super) struct Blend<F> {
+    /// `l²` \[m²\].
+    pub square: Vec<F, MOST_PLACES>,
+    /// `p²` \[Pa²\].
+    pub pressure: Vec<F, MOST_PLACES>,
+    /// Half the angle between the surfaces \[rad\].
+    pub half_angle: Vec<F, MOST_PLACES>,
+    /// Quantity of the first place.
+    pub first: usize,
+    /// Vertical support \[N\], and its derivative with respect to the vertical position.
+    pub support: F,
+    pub stiffness: F,
+    /// How far the wheel is below the height of the first level \[m\].
+    pub depth: F,
+}
+
+/// `p²` over `l²` where the surfaces do not touch, as outside a contact of a sphere.
+pub(super) fn pressure_by_square(modulus: f64, poisson_ratio: f64, radius: f64) -> f64 {
+    let slope = 0.65 * modulus / (radius * (1.0 - poisson_ratio));
+    slope * slope
+}
+
+impl<F: Float> Blend<F> {
+    pub const fn nothing() -> Self {
+        let zero = F::ZERO;
+        Self {
+            square: Vec::new(),
+            pressure: Vec::new(),
+            half_angle: Vec::new(),
+            first: 0,
+            support: zero,
+            stiffness: zero,
+            depth: zero,
+        }
+    }
+
+    /// Finds the numbers of a position of a right wheel. Returns whether anything touches there. A
+    /// position beyond the ranges is an error unless `is_beyond` allows it.
+    ///
+    /// # Errors
+    /// [`Error::TableRange`]
+    #[inline(never)]
+    pub fn find(
+        &mut self, table: &ContactTable, position: &Position<F>, is_beyond: bool,
+    ) -> Result<bool, Error> {
+        let Counts { lateral, levels, yaw, .. } = table.counts;
+        let Position { lateral: y, vertical, yaw: angle, roll } = *position;
+        let [of_roll, of_yaw] = table.slabs_around(roll, angle);
+        let in_slab = |number: Quantity, angle: F| angle.abs() <= F::of(table.quantity(number));
+        let shift = of_roll.blend(|r| of_yaw.blend(|a| table.slab_shift(r * yaw + a)));
+        let [least, most] = [0, lateral - 1].map(|k| table.lateral::<F>(k));
+        let x = y - shift;
+        let is_inside = in_slab(Quantity::Yaw, angle) && in_slab(Quantity::Roll, roll);
+        Error::TableRange.unless(is_beyond || (is_inside && x >= least && x <= most))?;
+        let of_lateral = Around::new(|k| table.lateral(k), lateral, x);
+        let mut parts = Vec::<(usize, F), AROUND>::new();
+        for (r, by_roll) in of_roll.nodes() {
+            for (a, by_yaw) in of_yaw.nodes() {
+                for (i, by) in of_lateral.nodes() {
+                    let _ = parts.push(((r * yaw + a) * lateral + i, by_roll * by_yaw * by));
+                }
+            }
+        }
+        let mut heights = [F::zero(); 64];
+        for (part, weight) in &parts {
+            add(&mut heights, table.heights::<F>(*part).map(|height| *weight * height));
+        }
+        let heights = heights.get(..levels).unwrap_or(&[]);
+        Error::TableRange.unless(ascend(heights))?;
+        let (first, last) = (at(heights, 0), at(heights, levels - 1));
+        Error::TableRange.unless(is_beyond || vertical <= last)?;
+        let of_level = Around::new(|k| at(heights, k), levels, vertical);
+        // N^(2/3), and its derivative
+        let power = of_level.blend(|k| table.load(k));
+        if !(power > F::zero()) {
+            return Ok(false);
+        }
+        let near = (0..levels - 2).take_while(|k| at(heights, k + 1) <= vertical).count();
+        let [low, high] = [near, near + 1].map(|k| at(heights, k));
+        let slope = (table.load::<F>(near + 1) - table.load(near)) / (high - low);
+        self.support = power * power.sqrt();
+        self.stiffness = power.sqrt() * slope.times(1.5);
+        self.depth = (vertical - first).max(F::zero());
+        // the fields are linear in the height
+        let share = (vertical - low) / (high - low);
+        let mut nodes = Vec::<(Record, F), AROUND>::new();
+        for (part, weight) in &parts {
+            for (level, by) in [(near, F::one() - share), (near + 1, share)] {
+                let _ = nodes.push((table.record(part * levels + level), *weight * by));
+            }
+        }
+        self.add(table, &nodes);
+        Ok(true)
+    }
+
+    /// Adds the fields of nodes to none.
+    fn add(&mut self, table: &ContactTable, nodes: &[(Record, F)]) {
+        let (mut from, mut to) = (table.counts.places, 0);
+        for (record, _) in nodes {
+            let first = record.first as usize;
+            from = from.min(first);
+            to = to.max((first + record.count as usize).min(table.counts.places));
+        }
+        let [radius, modulus, ratio] =
+            [Quantity::WheelRadius, Quantity::ShearModulus, Quantity::PoissonRatio]
+                .map(|number| table.quantity(number));
+        let floor = F::of(SQUARE_FLOOR);
+        let least_pressure = floor * F::of(pressure_by_square(modulus, ratio, radius));
+        let Self { square, pressure, half_angle, first: begin, .. } = self;
+        *begin = from;
+        for _ in from..to {
+            let _ = square.push(-floor);
+            let _ = pressure.push(-least_pressure);
+            let _ = half_angle.push(F::zero());
+        }
+        let number = |bytes: &[u8; 2]| F::widened(f32::from(i16::from_le_bytes(*bytes)));
+        for (record, weight) in nodes {
+            let [squares, pressures, angles] = table.fields(record);
+            let first = (record.first as usize).saturating_sub(from);
+            let [length, peak] = record.scales.map(|scale| F::widened(scale) * *weight);
+            let (more, higher) = (floor * *weight, least_pressure * *weight);
+            for (own, bytes) in square.iter_mut().skip(first).zip(squares) {
+                *own += number(bytes) * length + more;
+            }
+            for (own, bytes) in pressure.iter_mut().skip(first).zip(pressures) {
+                *own += number(bytes) * peak + higher;
+            }
+            let (Some(begin), Some(end)) = (angles.first(), angles.last()) else { continue };
+            // beyond its places a node has the angles of the first and of the last
+            let angle = weight.times(1.0 / 32767.0);
+            for (k, own) in half_angle.iter_mut().enumerate() {
+                let bytes = match k.checked_sub(first) {
+                    None => begin,
+                    Some(inside) => angles.get(inside).unwrap_or(end),
+                };
+                *own += number(bytes) * angle;
+            }
+        }
+    }
+}

@@ -1,0 +1,32 @@
+//! Contact tables: a wheel in microseconds.
+//!
+//! A table holds the contacts of a wheel of some radius and material on a straight rail: by lateral
+//! position, height, yaw and roll. It is a block of memory of the caller's, little-endian and
+//! without pointers, which may be written to a file, mapped from it, or placed in flash. Friction,
+//! its law, damping, speeds and the side of the wheel stay outside.
+//!
+//! * [`TableSpec::begin_table`] writes the head of a table.
+//! * [`fill_part`] computes its parts, in any order and on any threads.
+//! * [`finish`] makes it compact and measures its error.
+//! * [`TableScene`] gives contacts, force and moment for a position.
+//!
+//! What is stored, and why zones of contact appear without a kink, tells `fill`; `axis` how numbers
+//! between nodes follow; `lookup` how contacts follow.
+
+mod axis;
+mod begin;
+mod blend;
+mod block;
+mod fill;
+mod lookup;
+mod measure;
+mod parts;
+mod spec;
+
+pub use self::block::ContactTable;
+pub(crate) use self::block::{HEAD_START, head_length};
+pub use self::lookup::TableScene;
+pub use self::measure::{TableReport, finish};
+pub use self::parts::fill_part;
+pub(crate) use self::parts::{fill_memory, memory_of_part};
+pub use self::spec::TableSpec;
