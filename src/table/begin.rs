@@ -44,7 +44,7 @@ impl<F: Float> TableSpec<F> {
     /// Begins a table in a block. The pair's side, friction and damping do not matter.
     ///
     /// # Errors
-    /// Those of [`TableSpec::counts`]; [`Error::Capacity`] for a block that is too small; those of
+    /// Those of [`TableSpec::size`]; [`Error::Capacity`] for a block that is too small; those of
     /// the scene; [`Error::TableSpec`] where no lateral position has contacts.
     pub fn begin_table(
         &self, scene: &Scene<F>, memory: &mut Workspace<F>, block: &mut [u8],
