@@ -30,22 +30,22 @@ class ContactTable:
     strips: in 8 mm of a contact, 12 to 32.
     poses: at how many positions the error is measured. threads, progress: as in solve().
 
-    bytes: the table, as tables have it everywhere. report: with which it was made; None for one that was read: its length, and the error
+    raw: the bytes of the table, as every language has them. report: with which it was made; None for one that was read: its length, and the error
     `force_usual`, `force_largest` of the horizontal force over friction times load, `load_usual`, `load_largest` of the load over itself.
 
-    >>> table = kstrip.ContactTable(rail, wheel, kstrip.wheel_pair(), lateral=(-7e-3, -5e-3), load=120e3, lateral_nodes=9, levels=8, poses=20)
-    >>> table.report["poses"], table.report["force_largest"] < 0.05
-    (20, True)
+    >>> table = kstrip.ContactTable(rail, wheel, pair, lateral=(-7e-3, -5e-3), load=120e3, lateral_nodes=9, levels=8, poses=20)
+    >>> table.report["poses"], table.report["missing"]
+    (20, 0)
     >>> position = kstrip.wheel_position(lateral=-6e-3)
-    >>> position.vertical = kstrip.height_for_load(rail, wheel, kstrip.wheel_pair(), position, 80e3)
-    >>> on = table.wheel(kstrip.wheel_pair(), position, kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46))
+    >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
+    >>> on = table.wheel(pair, position, kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46))
     >>> print(f"{1e-3 * on.wrench.force[1]:.1f} kN")
     -3.8 kN
     """
 
-    __slots__ = ("bytes", "report")
+    __slots__ = ("raw", "report")
 
-    bytes: bytes
+    raw: bytes
     report: Optional[dict[str, float]]
 
     def __init__(self, rail: PreparedProfile, wheel: PreparedProfile, pair: WheelPair, lateral: tuple[float, float], load: float, yaw: float = 0.0,
@@ -81,7 +81,7 @@ class ContactTable:
         report = zeros("table_report", single)
         call("kstrip_table_finish", single, *given, poses, memory.of("wheel_workspace", single).address, place, length, report)
         names = report.dtype.names or ()
-        self.bytes, self.report = bytes(made[: int(report["bytes"])]), {name: report[name].item() for name in names}
+        self.raw, self.report = bytes(made[: int(report["bytes"])]), {name: report[name].item() for name in names}
 
     @classmethod
     def of_bytes(cls, raw: bytes) -> ContactTable:
@@ -89,12 +89,12 @@ class ContactTable:
         length = np.zeros((), np.uint32)
         call("kstrip_table_check", False, bytes(raw), len(raw), length)
         made = cls.__new__(cls)
-        made.bytes, made.report = bytes(raw[: int(length)]), None
+        made.raw, made.report = bytes(raw[: int(length)]), None
         return made
 
     def save(self, path: Path) -> None:
         """Writes a file, which ContactTable.read() and every other language can read."""
-        pathlib.Path(path).write_bytes(self.bytes)
+        pathlib.Path(path).write_bytes(self.raw)
 
     @classmethod
     def read(cls, path: Path) -> ContactTable:
@@ -114,7 +114,7 @@ class ContactTable:
         (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
         moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
         kept = KeptContacts(elements.single)
-        found = elements.run("kstrip_wheel_on_table", repeat(self.bytes), repeat(len(self.bytes)), *elements.columns.values(),
+        found = elements.run("kstrip_wheel_on_table", repeat(self.raw), repeat(len(self.raw)), *elements.columns.values(),
                              Workspace("wheel_workspace"), first, second, third, kept=[kept] if contacts else [],
                              sweep=sweep_of(threads, progress))
         statuses = elements.statuses(found, wrenches, slopes, moved)
@@ -124,13 +124,13 @@ class ContactTable:
         return elements.report(made, statuses)
 
     def __reduce__(self) -> Any:
-        return ContactTable.of_bytes, (self.bytes,)
+        return ContactTable.of_bytes, (self.raw,)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, ContactTable) and self.bytes == other.bytes
+        return isinstance(other, ContactTable) and self.raw == other.raw
 
     def __hash__(self) -> int:
-        return hash(self.bytes)
+        return hash(self.raw)
 
     def __repr__(self) -> str:
-        return f"ContactTable({len(self.bytes) / 1e3:.0f} kB)"
+        return f"ContactTable({len(self.raw) / 1e3:.0f} kB)"
