@@ -1178,7 +1178,7 @@ module kstrip
          integer(c_int32_t), intent(inout) :: parts
       end function
 
-      !> Begins a table: it finds the lateral nodes, in the time of about 200 parts.
+      !> Begins a table: it finds the lateral nodes, in the time of a few parts.
       integer(c_int32_t) function kstrip_table_begin(rail, wheel, pair, spec, workspace, table, bytes) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
@@ -1190,7 +1190,7 @@ module kstrip
          integer(c_int32_t), value :: bytes
       end function
 
-      !> Fills parts of a table that is begun, each in about the time of 100 calls of kstrip_wheel_on_rail().
+      !> Fills parts of a table that is begun, each in about the time of 400 calls of kstrip_wheel_on_rail().
       integer(c_int32_t) function kstrip_table_fill(rail, wheel, pair, first, count, workspace, table, bytes) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail

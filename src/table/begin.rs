@@ -111,9 +111,7 @@ impl<F: Float> TableSpec<F> {
             self.flange(scene, &Position::default(), self.lateral_from, self.lateral_to, memory);
         for slab in 0..ContactTable::in_state(block, BEGUN)?.counts.slabs() {
             let table = ContactTable::in_state(block, BEGUN)?;
-            let yaws = table.counts.yaw;
-            let (roll, yaw) =
-                (table.roll::<F>(slab / yaws), table.yaw_squared::<F>(slab % yaws).sqrt());
+            let [roll, yaw] = table.roll_and_yaw::<F>(slab);
             let by_roll = roll * scene.pair.wheel_radius;
             let position = Position { yaw, roll, ..Position::default() };
             let shift = base.and_then(|base| {
@@ -240,6 +238,10 @@ impl<F: Float> TableSpec<F> {
             let _ = nodes.push(Node { x, found, error });
             sort(&mut nodes, |one, other| one.x < other.x);
         }
-        Ok(nodes.iter().map(|node| node.x).collect())
+        let mut places = Vec::new();
+        for node in &nodes {
+            let _ = places.push(node.x);
+        }
+        Ok(places)
     }
 }

@@ -290,6 +290,12 @@ impl<'a> ContactTable<'a> {
         F::of(self.quantity(Quantity::Roll)) * F::widened(2.0 * k as f32 / last - 1.0)
     }
 
+    /// The roll and the yaw of a slab.
+    pub(super) fn roll_and_yaw<F: Float>(&self, slab: usize) -> [F; 2] {
+        let yaws = self.counts.yaw.max(1);
+        [self.roll(slab / yaws), self.yaw_squared::<F>(slab % yaws).sqrt()]
+    }
+
     /// The nodes around a roll and a yaw.
     pub(super) fn slabs_around<F: Float>(&self, roll: F, yaw: F) -> [Around<F>; 2] {
         let Counts { yaw: yaws, roll: rolls, .. } = self.counts;

@@ -72,14 +72,11 @@ pub(super) fn plain<F: Float>(pair: &WheelPair<F>) -> WheelPair<F> {
 
 /// The position of a part without its height.
 pub(super) fn position_of<F: Float>(table: &ContactTable, part: usize) -> Position<F> {
-    let Counts { lateral, yaw, .. } = table.counts;
-    let slab = part / lateral;
-    Position {
-        lateral: table.lateral::<F>(part % lateral) + table.slab_shift(slab),
-        vertical: F::zero(),
-        yaw: table.yaw_squared::<F>(slab % yaw).sqrt(),
-        roll: table.roll(slab / yaw),
-    }
+    let nodes = table.counts.lateral.max(1);
+    let slab = part / nodes;
+    let [roll, yaw] = table.roll_and_yaw(slab);
+    let lateral = table.lateral::<F>(part % nodes) + table.slab_shift(slab);
+    Position { lateral, vertical: F::zero(), yaw, roll }
 }
 
 /// Fills a part. A node that has no contact gets a height that is no number.

@@ -45,7 +45,7 @@ pub extern "C" fn kstrip_table_size(
     })
 }
 
-/// Begins a table: it finds the lateral nodes, in the time of about 200 parts.
+/// Begins a table: it finds the lateral nodes, in the time of a few parts.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail(), with a straight rail; side, friction,
 ///                        damping, strips and model do not matter.
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn kstrip_table_begin(
     })
 }
 
-/// Fills parts of a table that is begun, each in about the time of 100 calls of
+/// Fills parts of a table that is begun, each in about the time of 400 calls of
 /// kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with a workspace
 /// of their own. Call it with few parts to tell the progress.
 ///
