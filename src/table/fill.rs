@@ -13,9 +13,7 @@
 //! where `e` makes it zero at the nearest end of a zone, and fades with the distance from there.
 
 use super::blend::pressure_by_square;
-use super::block::{
-    BEGUN, ContactTable, Counts, FIELD, MOST_PLACES, Record, SQUARE_FLOOR, write_bytes,
-};
+use super::block::{BEGUN, ContactTable, FIELD, MOST_PLACES, Record, SQUARE_FLOOR, write_bytes};
 use super::lookup::ROUNDNESS;
 use crate::contact::totals::StripCount;
 use crate::number::{Arithmetic, Float, Strips, length, pairs};
