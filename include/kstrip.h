@@ -2511,7 +2511,7 @@ typedef struct kstrip_table_spec {
     uint32_t levels;
     /** Nodes of yaw; 0: 3, without yaw 1. */
     uint32_t yaw_nodes;
-    /** Nodes of roll, an odd number; 0: at most 2.5 mrad apart, without roll 1. */
+    /** Nodes of roll, an odd number; 0: one every 2.5 mrad or less, without roll 1. */
     uint32_t roll_nodes;
     /**
      * Quantity of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
@@ -2652,7 +2652,7 @@ kstrip_status kstrip_table_check(const uint8_t *table, uint32_t bytes, uint32_t 
  *                        of strips is that of its spec, and the rail is straight.
  * @param position, velocity, friction, workspace, wrench, derivatives  as in
  *                        kstrip_wheel_on_rail().
- * @param[out] by_position  receives the derivatives of what is interpolated with respect to
+ * @param[out] by_position  receives the derivatives of the interpolated wrench with respect to
  *                        position: one-sided differences; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_WARNING_ANGLE_RANGE or KSTRIP_WARNING_ROUGH as there;
  *         KSTRIP_ERROR_NULL; KSTRIP_ERROR_TABLE_RANGE (outside the table, where

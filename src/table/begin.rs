@@ -1,7 +1,7 @@
 //! A table is begun: places on the wheel, loads of the levels, the lateral nodes, and the shifts of
 //! the slabs.
 //!
-//! * The loads grow with the third power of the level: the heights are about evenly apart then.
+//! * The loads grow with the third power of the level: the heights then have about equal distances.
 //! * Lateral nodes are found for the slab without yaw and roll: the interval in whose middle the
 //!   interpolation is worst is halved, as long as there are nodes.
 //! * A slab is shifted by as much as the lateral position at which the flange carries.
@@ -152,7 +152,7 @@ impl<F: Float> TableSpec<F> {
         Some(free)
     }
 
-    /// What must be interpolated well at a lateral position, in units of what may be wrong.
+    /// Numbers that must be interpolated well at a lateral position, in units of their errors.
     fn probe(&self, scene: &Scene<F>, lateral: F, memory: &mut Workspace<F>) -> Option<Probe<F>> {
         let mut position = Position { lateral, ..Position::default() };
         let mut probe = [F::zero(); PROBE];
@@ -191,7 +191,7 @@ impl<F: Float> TableSpec<F> {
     fn lateral_nodes(
         &self, scene: &Scene<F>, count: usize, memory: &mut Workspace<F>,
     ) -> Result<Vec<F, 256>, Error> {
-        /// A node, what was found there, and the expected error of the interval after it.
+        /// A node, the numbers there, and the expected error of the interval after it.
         struct Node<F> {
             x: F,
             found: Option<Probe<F>>,

@@ -1,7 +1,7 @@
 //! The block of a table: little-endian, without pointers, at any address.
 //!
 //! ```text
-//!   0  "kstriptb"            8  version, state          16  length, checksum of what follows
+//!   0  "kstriptb"            8  version, state          16  length, checksum of the rest
 //!  32  five counts           64  twelve numbers
 //! then in double precision: shifts of the slabs, lateral nodes, loads to the power 2/3, places on
 //! the wheel (y, z, cosine, sine), heights; of each node offset, first place, number of
@@ -168,7 +168,7 @@ impl Record {
 /// How many bytes tell the length of a head.
 pub(crate) const HEAD_START: u32 = NUMBERS_AT as u32;
 
-/// The length of what comes before the heights, in which a table that is filled is only read.
+/// The length of the part before the heights, which is only read while a table is filled.
 pub(crate) fn head_length(start: &[u8]) -> Result<u32, Error> {
     let word = |at: usize| u32::from_le_bytes(bytes_at(start, at));
     let is_table = u64::from_le_bytes(bytes_at(start, 0)) == MAGIC && word(8) == VERSION;

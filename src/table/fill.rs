@@ -50,8 +50,8 @@ struct WheelPoint {
     radius: f64,
 }
 
-/// A place of a contact on the rail: length, `l²`, `p²`, and whether the contact reaches it from the
-/// place before.
+/// A place of a contact on the rail: length, `l²`, `p²`, and whether the contact reaches it from
+/// the place before.
 type OnRail = ([f64; 3], bool);
 
 /// The memory of a part of a table that is filled, and where the fields of its nodes begin.

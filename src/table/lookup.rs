@@ -3,8 +3,8 @@
 //! 1. The numbers of the position at the places of the wheel are [blended](super::blend).
 //! 2. **A strip** is the part of the interval between two places in which the blended `l²` is
 //!    positive. Both squares are linear there, and the strip has their means. The intervals do not
-//!    move with the wheel's position, and a strip begins and ends with a width of zero: so force and
-//!    moment are continuous, also where zones appear, merge and vanish.
+//!    move with the wheel's position, and a strip begins and ends with a width of zero: so force
+//!    and moment are continuous, also where zones appear, merge and vanish.
 //! 3. **Contacts** are groups of zones of strips, as in the direct computation.
 //! 4. The pressures are multiplied by one factor, so that they support what the heights tell.
 
@@ -274,7 +274,7 @@ impl<F: Float> TableScene<'_, F> {
     }
 
     /// The wrench of a position and a velocity, with the derivatives that are requested. Those with
-    /// respect to the position are differences of what is interpolated.
+    /// respect to the position are differences of the interpolated wrench.
     ///
     /// # Errors
     /// Those of [`TableScene::place`] and of

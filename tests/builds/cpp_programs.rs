@@ -141,7 +141,10 @@ fn every_function_has_both_forms() {
         .filter(|name| *name != "call")
         .collect();
     assert!(names.len() > 30, "{names:?}");
-    for name in names {
+    assert!(throwing.contains("class basic_contact_table"), "no class of a table throws");
+    // the functions of tables have a class that throws
+    let has_class = |name: &str| name.starts_with("table_") || name == "wheel_on_table";
+    for name in names.into_iter().filter(|name| !has_class(name)) {
         assert!(throwing.contains(&format!("> {name}(")), "no form of {name} throws");
     }
 }

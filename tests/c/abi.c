@@ -4,7 +4,7 @@
 
 int main(void)
 {
-    for (int status = -80; status <= 40; status++)
+    for (int status = -100; status <= 40; status++)
         printf("text %d %s\n", status, kstrip_status_string(status));
     printf("version %s abi %ld\n", kstrip_version_string(), (long)kstrip_abi_version());
     return 0;

@@ -167,7 +167,7 @@ pub unsafe extern "C" fn kstrip_table_check(
 ///                        of strips is that of its spec, and the rail is straight.
 /// @param position, velocity, friction, workspace, wrench, derivatives  as in
 ///                        kstrip_wheel_on_rail().
-/// @param[out] by_position  receives the derivatives of what is interpolated with respect to
+/// @param[out] by_position  receives the derivatives of the interpolated wrench with respect to
 ///                        position: one-sided differences; NULL: not needed.
 /// @return KSTRIP_OK; KSTRIP_WARNING_ANGLE_RANGE or KSTRIP_WARNING_ROUGH as there;
 ///         KSTRIP_ERROR_NULL; KSTRIP_ERROR_TABLE_RANGE (outside the table, where
