@@ -118,6 +118,8 @@ impl<F: Float> Blend<F> {
             from = from.min(first);
             to = to.max((first + record.count as usize).min(table.counts.places));
         }
+        // two places more on both sides, for the bends there
+        (from, to) = (from.saturating_sub(2), (to + 2).min(table.counts.places));
         let [radius, modulus, ratio] =
             [Quantity::WheelRadius, Quantity::ShearModulus, Quantity::PoissonRatio]
                 .map(|number| table.quantity(number));

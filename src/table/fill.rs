@@ -254,9 +254,9 @@ impl<F: Float> Surfaces<'_, F> {
             }
         }
         let [distance, apart] = nearest;
-        let fades = Float::exp(-(distance / END_FADES).min(40.0));
-        let rest = (self.apart(point) - apart * fades).max(0.0);
-        let square = (-ROUNDNESS * point.radius * rest).max(-SQUARE_FLOOR);
+        let fades = Float::exp(-Arithmetic::min(distance / END_FADES, 40.0));
+        let rest = Arithmetic::max(self.apart(point) - apart * fades, 0.0);
+        let square = Arithmetic::max(-ROUNDNESS * point.radius * rest, -SQUARE_FLOOR);
         [square, square * pressure_by_square(modulus, ratio, point.radius)]
     }
 
@@ -315,7 +315,7 @@ fn write_node<F: Float>(
         if square > -SQUARE_FLOOR {
             (first, end) = (first.min(k), k + 1);
             let [length, peak] = largest;
-            largest = [length.max(square), peak.max(pressure.abs())];
+            largest = [Arithmetic::max(length, square), Arithmetic::max(peak, pressure.abs())];
         }
         let _ = nodes.push([square, pressure, half_angle]);
     }
