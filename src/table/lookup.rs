@@ -3,8 +3,9 @@
 //! 1. The numbers of the position at the places of the wheel are [blended](super::blend).
 //! 2. **A strip** is the part of the interval between two places in which the blended `l²` is
 //!    positive. Both squares are linear there, and the strip has their means. The intervals do not
-//!    move with the wheel's position, and a strip begins and ends with a width of zero: so force
-//!    and moment are continuous, also where zones appear, merge and vanish.
+//!    move with the wheel's position, and a strip begins and ends with a width of zero. In a
+//!    contact of few strips its begin changes the mean width of all, and the force by up to 1e-4 of
+//!    the load.
 //! 3. **Contacts** are groups of zones of strips, as in the direct computation.
 //! 4. The pressures are multiplied by one factor, so that they support what the heights tell.
 

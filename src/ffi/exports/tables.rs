@@ -158,8 +158,8 @@ pub unsafe extern "C" fn kstrip_table_check(
     })
 }
 
-/// kstrip_wheel_on_rail() from a table. Force and moment are continuous over the whole table, with
-/// the same contacts; the gap is not computed.
+/// kstrip_wheel_on_rail() from a table. It has the same contacts; the gap is not computed. Force
+/// and moment jump by up to 1e-4 of the load where a strip begins in a contact of few strips.
 ///
 /// @param table, bytes    a finished table.
 /// @param pair            friction, side, model, damping, floor_speed and rail_speed. The radius,
