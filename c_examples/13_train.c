@@ -77,7 +77,9 @@ static uint32_t fill_table(const kstrip_wheel_pair *pair, uint8_t **table)
     check(kstrip_table_begin(&rail, &wheel, pair, &spec, memory, block, bytes));
     const double start = seconds();
     kstrip_status worst = KSTRIP_OK;
+#ifdef _OPENMP
 #pragma omp parallel for num_threads(threads) schedule(dynamic) reduction(min : worst)
+#endif
     for (int part = 0; part < (int)parts; part++) {
         const kstrip_status status = kstrip_table_fill(&rail, &wheel, pair, (uint32_t)part, 1, own_memory(), block, bytes);
         worst = status < worst ? status : worst;
@@ -129,7 +131,9 @@ int main(int argc, char **argv)
     for (int step = 0; step < steps; step++) {
         double sum = 0, most = 0;
         int left_out = 0;
+#ifdef _OPENMP
 #pragma omp parallel for num_threads(threads) schedule(dynamic, PIECE) reduction(+ : sum, left_out) reduction(max : most)
+#endif
         for (int i = 0; i < WHEELS; i++) {
             const int side = i % 2, axle = i / 2;
             const double along = speed * 1e-3 * step - 5.0 * axle, sign = side ? -1 : 1;
