@@ -57,14 +57,14 @@
  *   CONTACT and Simpack report the force on the upper body, hence their minus signs.
  * - SI units everywhere: N, m, Pa, 1/m, rad/s.
  *
- * In the comments mu is the coefficient of friction, N the normal force, G the combined shear modulus, nu the combined Poisson's ratio,
- * p0 the pressure at the centre of the ellipse and |F| the length of the tangential force. Numbers such as (2.6) are equations of Kalker's
- * paper of 1967 (docs/maintain/theory.md). CONTACT is the reference program against which all errors are measured.
+ * In the comments mu is the coefficient of friction, N the normal force, G the combined shear modulus and nu the combined Poisson's ratio.
+ * p0 is the pressure at the centre of the ellipse, and |F| the length of the tangential force. Numbers such as (2.6) are equations of
+ * Kalker's paper of 1967 (docs/maintain/theory.md). CONTACT is the reference program against which all errors are measured.
  *
  * ## Conventions
  *
- * - A function returns a kstrip_status, but for kstrip_status_string() and the two versions: 0 is
- *   success, > 0 a warning with valid outputs, < 0 an error with outputs untouched. kstrip_status_string()
+ * - A function returns a kstrip_status, but for kstrip_status_string() and the two versions. Zero is success, a positive
+ *   status is a warning with valid outputs, and a negative status is an error with outputs untouched. kstrip_status_string()
  *   returns the cause and the remedy. A workspace, and the contacts of kstrip_contacts_from_gap(), may change before an error.
  *   If a function writes an array of statuses, only the outputs of elements with an error are untouched.
  * - Each function lists its statuses. The usual statuses are KSTRIP_OK, KSTRIP_ERROR_NULL (a pointer that must be given is NULL),
@@ -74,10 +74,10 @@
  * - If several warnings apply, the most serious is returned: NOT_CONVERGED, then SEVERAL_FRICTIONS, then FRICTION_AT_LEAST and
  *   CREEPAGE_AT_LEAST, then implausible inputs (such as PRESSURE, RADIUS, YOUNG), then BEYOND_FRICTION, ANGLE_RANGE and PROFILE_END, then the others.
  * - Zero is the default. Options that are NULL, options that are all zero, and a single member that is zero mean the recommended choice.
- * - A lost contact is an ordinary input: normal_force <= 0 (a and b may be 0 with it) has zero forces and
- *   derivatives, adhesion 0 and KSTRIP_OK, in every function that solves. NaN is an error.
+ * - A lost contact is an ordinary input. With normal_force <= 0 every function that solves returns zero forces and
+ *   derivatives, adhesion 0 and KSTRIP_OK. a and b may then be 0. NaN is an error.
  * - NULL, NaN, infinities and any other numbers are safe inputs. Pointers must be NULL or valid and
- *   aligned (any other pointer is undefined behaviour, as in C); arrays must have as many elements as their count says. Outputs must not overlap inputs.
+ *   aligned; any other pointer is undefined behaviour, as in C. Arrays must have as many elements as their count. Outputs must not overlap inputs.
  * - An output that may be NULL and is NULL is not computed and costs nothing.
  * - No function allocates, blocks or calls back, and no result depends on earlier calls. Every function may be called from any
  *   thread and from interrupt handlers. Stack use: docs/reference/building.md.
@@ -150,8 +150,8 @@ typedef int32_t kstrip_status;
 /** Warning: the axis ratio a/b is outside 0.015 to 60, the range for which the model was made. */
 #define KSTRIP_WARNING_AXIS_RATIO 14
 /**
- * Warning: the mismatch of the materials exceeds 0.25, where the model was not compared with its
- * reference.
+ * Warning: the mismatch of the materials exceeds 0.25, and the model was not compared with its
+ * reference there.
  */
 #define KSTRIP_WARNING_MISMATCH 15
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
@@ -224,7 +224,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_FIT_BOUND 33
 /**
  * Warning: kind, side, direction of z, origin or unit of a profile file are guessed from weak
- * evidence, or against what the file says.
+ * evidence, or contradict the file.
  */
 #define KSTRIP_WARNING_PROFILE_GUESS 34
 
@@ -406,8 +406,8 @@ typedef int32_t kstrip_status;
 /**
  * Text in English with the cause of a status and the remedy.
  *
- * Returns a static string, never NULL. For a number that is no status the text is "unknown
- * status".
+ * @param status  a status that a function returned, or any other number.
+ * @return a static string, never NULL; "unknown status" for a number that is no status.
  */
 const char *kstrip_status_string(kstrip_status status);
 
@@ -490,10 +490,10 @@ typedef struct kstrip_contact {
     /** Friction mu [-], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION. */
     double friction;
     /**
-     * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
-     * like materials and positive where the lower body is the softer one; its sign changes where
-     * the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
-     * that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
+     * Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0
+     * for similar materials and positive if the lower body is softer. Its sign changes if the
+     * bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that
+     * there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
      */
     double mismatch;
 } kstrip_contact;
@@ -681,9 +681,9 @@ kstrip_status kstrip_creepage_from_parameters(const struct kstrip_contact *conta
 #define KSTRIP_MODEL_STRIP_1967_CONTINUOUS 2
 /**
  * A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
- * the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
- * CONTACT. It has forces, moment, stick area and fields. Its derivatives at rest are those of
- * linear theory, and its power is never negative.
+ * the local rigid slip if it does not. A small network, fitted to CONTACT, corrects the
+ * flexibilities. It has forces, moment, stick area and fields. Its derivatives at rest are those
+ * of linear theory, and its power is never negative.
  */
 #define KSTRIP_MODEL_STRIP 3
 /**
@@ -916,9 +916,9 @@ typedef struct kstrip_outputs {
  *
  * If friction is given, the coefficient of friction falls with the slip and agrees with it; the
  * contact's own coefficient is ignored. All derivatives include that dependence. If more than one
- * coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss it
- * under steeply falling friction, because their forces jump, or nearly jump, where a first strip
- * begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+ * coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss
+ * it under steeply falling friction, because their forces jump, or nearly jump, when a first
+ * strip begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
  *
  * @param contact, creepage, options  as in kstrip_solve().
  * @param friction        falling friction; NULL: constant.
@@ -1048,7 +1048,7 @@ typedef struct kstrip_batch_outputs {
  * receives its index. A lost contact is not bad: its results are zero.
  *
  * With more than one contact an output's stride is at least the size of the output, forward or
- * backward, and every stride is a multiple of the alignment of its type.
+ * backward. Every stride is a multiple of the alignment of its type.
  *
  * @param inputs          contacts, creepages, falling friction.
  * @param count           how many; 0 is allowed.
@@ -1443,7 +1443,10 @@ typedef struct kstrip_profile_result {
     double peak_pressure;
     /** y of the strip with the largest pressure [m]. */
     double peak_y;
-    /** Steps of the two searches for the approach, at most 60 each. */
+    /**
+     * Sum of the steps of the two searches for the approach, at most 60 for each search. It is 0
+     * if the approach is given.
+     */
     uint32_t iterations;
     /**
      * The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends
@@ -1463,7 +1466,7 @@ typedef struct kstrip_profile_result {
  * Contact regions begin with zero width, grow and merge. The results are continuous in distances
  * and approach, and in the load unless it falls with the approach (rough profiles). The stiffness
  * is the derivative of the computed load. The approach is measured from the lowest point of the
- * smoothed profile: it has a kink where another point becomes the lowest.
+ * smoothed profile: it has a kink when another point becomes the lowest.
  *
  * @param profile         undeformed distance of the bodies at points in ascending y.
  * @param contact         rolling radius, load or approach, material, friction, number of strips.
@@ -1835,8 +1838,8 @@ kstrip_status kstrip_prepare_profile(const double *y,
                                      struct kstrip_surface *surface);
 
 /**
- * The prepared profile at a place between two slices of a surface that varies along the track,
- * such as a switch or a crossing, or around a wheel. It is continuous in the share.
+ * The prepared profile at a place between two slices of a surface. The surface varies along the
+ * track, as at a switch or a crossing, or around a wheel. It is continuous in the share.
  *
  * Points at the same share of the length of both profiles belong together: their coordinates are
  * interpolated, and the result is prepared. Both slices must begin and end at the same features,
@@ -2056,9 +2059,9 @@ typedef struct kstrip_wheel_contact {
     double along;
     /**
      * Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load,
-     * with respect to the members of kstrip_wheel_velocity. The force and the moment of the
-     * pressure on the wheel are minus share times normal_force times these six numbers, and times
-     * the factor of the damping.
+     * with respect to the members of kstrip_wheel_velocity. The wrench of the pressure on the
+     * wheel is minus share times normal_force times these six numbers, and times the factor of
+     * the damping.
      */
     double normal[6];
     /**
@@ -2087,7 +2090,7 @@ typedef struct kstrip_wheel_contact {
     double rail_rate;
     /**
      * Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller
-     * rail_rate times the radius of its own undeformed surface there.
+     * rail_rate times the radius of the roller's undeformed surface there.
      */
     double strip_rail_speed[KSTRIP_PATCH_CAPACITY];
     /**
@@ -2193,8 +2196,8 @@ typedef struct kstrip_wrench {
     double moment[3];
     /**
      * Frictional power [W], not negative: creep forces on the rail times slip. The power of the
-     * creep forces on the wheel is minus this, but for contacts with a mismatch of the materials,
-     * where pressure adds to the slip.
+     * creep forces on the wheel is minus this. Only in contacts with a mismatch of the materials
+     * it differs, because pressure adds to the slip.
      */
     double dissipation;
     /**
@@ -2458,8 +2461,10 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
 /**
  * kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
  *
- * @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
- *        search begins at the vertical member of its position.
+ * @param rail, wheel, count, workspace  as in kstrip_wheels_on_rails().
+ * @param pairs, pair_stride  kstrip_wheel_pair of each, and its stride [bytes].
+ * @param positions, position_stride  position of each wheel, and its stride [bytes]; each search
+ *                        begins at the vertical member of its position.
  * @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0, and
  *                        its stride [bytes].
  * @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes]; NULL: the
@@ -3096,12 +3101,12 @@ typedef struct kstrip_friction_estimate {
 /**
  * The coefficient of friction that explains a measured force at a known creepage.
  *
- * If the contact adheres (less than a twentieth of the friction is used, or the force is larger
- * than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the
- * used friction |force|/load, a lower bound. If spin opposes the creepage, more than one friction
- * may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
- * smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
- * first strip begins to adhere. A jump across the measured force is one of several solutions
+ * The contact adheres if less than a twentieth of the friction is used, or if the force is larger
+ * than in linear theory. Then the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is
+ * the used friction |force|/load, a lower bound. If spin opposes the creepage, more than one
+ * friction may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result
+ * is the smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps when
+ * a first strip begins to adhere. A jump across the measured force is one of several solutions
  * there, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an
  * estimate may miss a friction, most often if the force is nearly zero.
  *
@@ -3214,9 +3219,9 @@ typedef struct kstrip_friction_fit {
  * larger, the status is KSTRIP_WARNING_SECOND_MINIMUM.
  *
  * Points that lie on one part of the curve do not determine each parameter. The status is then
- * KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
- * if these are larger, a parameter would be uncertain by more than half of its value. Layer and
- * slope factor have nearly the same effect; fit one of them.
+ * KSTRIP_WARNING_UNDETERMINED: a parameter would be uncertain by more than half of its value with
+ * errors of the forces of one per cent, or with their actual errors if these are larger. Layer
+ * and slope factor have nearly the same effect; fit one of them.
  *
  * @param contact         ellipse, load, material of all points; its friction is ignored.
  * @param points, count   the measured points.

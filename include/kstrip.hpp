@@ -1172,7 +1172,7 @@ status patch_from_profile(const basic_profile<T> &line, const basic_profile_cont
     return KSTRIP_HPP_CALL(kstrip_patch_from_profile, &line, &load, &to, met);
 }
 
-/// Returns error_capacity where the arrays have different sizes.
+/// Returns error_capacity if the arrays have different sizes.
 template <class T>
 status patch_from_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> distance,
                           const basic_profile_contact<T> &load, basic_patch<T> &to, detail::only<basic_profile_result<T>> *met = nullptr) noexcept
@@ -1482,7 +1482,7 @@ struct basic_wrench_by_position {
 };
 KSTRIP_HPP_BOTH(wrench_by_position)
 
-/// Returns error_capacity where the arrays have different sizes.
+/// Returns error_capacity if the arrays have different sizes.
 template <class T>
 status prepare_profile(detail::only<lengths<T>> y, detail::only<lengths<T>> z, detail::only<basic_metres<T>> step,
                        detail::only<basic_metres<T>> smoothing_length, basic_surface<T> &to) noexcept
@@ -1610,7 +1610,7 @@ status table_begin(const basic_surface<T> &rail, const basic_surface<T> &wheel, 
     return KSTRIP_HPP_CALL(kstrip_table_begin, &rail, &wheel, &both, &spec, &workspace, table, bytes);
 }
 
-/// Several threads may each fill other parts, with a workspace of their own.
+/// Several threads may each fill other parts, with a separate workspace.
 template <class T>
 status table_fill(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both, std::uint32_t first,
                   std::uint32_t count, basic_wheel_workspace<T> &workspace, std::uint8_t *table, std::uint32_t bytes) noexcept
@@ -1631,7 +1631,7 @@ inline status table_check(const std::uint8_t *table, std::uint32_t bytes, std::u
     return static_cast<status>(kstrip_table_check(table, bytes, &length));
 }
 
-/// `law`: null where friction is constant; `slopes`, `by_position`: null where they are not needed.
+/// `law`: null if friction is constant; `slopes`, `by_position`: null if they are not needed.
 template <class T>
 status wheel_on_table(const std::uint8_t *table, std::uint32_t bytes, const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
                       const basic_wheel_velocity<T> &moves, const detail::only<basic_friction<T>> *law,
@@ -1643,7 +1643,7 @@ status wheel_on_table(const std::uint8_t *table, std::uint32_t bytes, const basi
 }
 
 namespace detail {
-/// From one element of an array to the next: 0 where one element stands for all.
+/// From one element of an array to the next: 0 if one element is used for all.
 template <class T>
 std::uint32_t spacing(span<T> array) noexcept
 {
@@ -1902,7 +1902,7 @@ basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surfac
                                 const detail::only<basic_friction<T>> *law = nullptr)
 KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
 
-/// A contact table with memory of its own: filled, or read from the bytes of a file.
+/// A contact table that owns its memory: filled, or read from the bytes of a file.
 template <class T>
 class basic_contact_table {
   public:
@@ -1931,7 +1931,7 @@ class basic_contact_table {
     /// The bytes, for a file.
     const std::vector<std::uint8_t> &bytes() const noexcept { return own; }
     const basic_table_report<T> &report() const noexcept { return measured; }
-    /// The wrench alone. `law`: null where friction is constant.
+    /// The wrench alone. `law`: null if friction is constant.
     basic_wrench<T> wheel(const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
                           basic_wheel_workspace<T> &workspace, const basic_friction<T> *law = nullptr) const
     {
@@ -2129,7 +2129,7 @@ status wheelsets_settle(const basic_wheelset<T> &set, const basic_track<T> &rail
                            detail::spacing(loads), &workspace, to.data(), to_moves.data(), to_forces, statuses.data());
 }
 
-/// `statuses`: as many as there are shifts; empty: not needed. Returns error_capacity where the arrays have different sizes.
+/// `statuses`: as many as there are shifts; empty: not needed. Returns error_capacity if the arrays have different sizes.
 template <class T>
 status rolling_radius_difference(const basic_wheelset<T> &set, const basic_track<T> &rails,
                                  detail::only<lengths<T>> shifts, bool with_roll,
@@ -2276,7 +2276,7 @@ results<basic_metres<T>> rolling_radius_difference(const basic_wheelset<T> &set,
 template <class T>
 struct basic_conicities {
     std::vector<T> conicities;
-    std::vector<basic_metres<T>> wave_lengths; ///< infinite where the conicity is 0
+    std::vector<basic_metres<T>> wave_lengths; ///< infinite if the conicity is 0
     std::vector<status> statuses;
 };
 /// The form of equivalent_conicity() that throws.

@@ -334,8 +334,8 @@ statuses! {
             "the axis ratio a/b is outside 0.015 to 60, the range for which the model was made",
             "the result is bounded by mu N and has the right limits";
         KSTRIP_WARNING_MISMATCH Mismatch = 15 gravity 1:
-            "the mismatch of the materials exceeds 0.25, where the model was not compared with \
-             its reference",
+            "the mismatch of the materials exceeds 0.25, and the model was not compared with its \
+             reference there",
             "the result is bounded by mu N";
         KSTRIP_WARNING_MISMATCH_NEGLECTED MismatchNeglected = 16 gravity 1:
             "the theory of 1967 neglects the mismatch of the materials",
@@ -401,7 +401,7 @@ statuses! {
             "check the units of the points, or fit other parameters";
         KSTRIP_WARNING_PROFILE_GUESS ProfileGuess = 34 gravity IMPLAUSIBLE:
             "kind, side, direction of z, origin or unit of a profile file are guessed from weak \
-             evidence, or against what the file says",
+             evidence, or contradict the file",
             "check the notes";
     }
 }

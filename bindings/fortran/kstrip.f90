@@ -1021,8 +1021,7 @@ module kstrip
          type(kstrip_surface), intent(inout) :: surface
       end function
 
-      !> The prepared profile at a place between two slices of a surface that varies along the track, such as a switch or
-      !> a crossing, or around a wheel.
+      !> The prepared profile at a place between two slices of a surface.
       integer(c_int32_t) function kstrip_profile_between(first, second, share, between) bind(c)
          import
          type(kstrip_surface), intent(in) :: first

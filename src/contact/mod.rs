@@ -33,10 +33,10 @@ pub struct Contact<F> {
     pub poisson_ratio: F,
     /// Friction mu \[-\], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION.
     pub friction: F,
-    /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0 for
-    /// like materials and positive where the lower body is the softer one; its sign changes where
-    /// the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so
-    /// that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
+    /// Mismatch kappa \[-\] of the two materials (4.3), from kstrip_material_combine(). It is 0
+    /// for similar materials and positive if the lower body is softer. Its sign changes if the
+    /// bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that
+    /// there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
     pub mismatch: F,
 }
 

@@ -10,9 +10,9 @@ pub const KSTRIP_MODEL_STRIP_1967: i32 = 1;
 /// The same theory with the sliding rule that joins adhesion strips without a jump.
 pub const KSTRIP_MODEL_STRIP_1967_CONTINUOUS: i32 = 2;
 /// A strip theory in Kalker's sense: the half-ellipses of 1967 where a strip adheres, slip along
-/// the local rigid slip where it does not, and flexibilities corrected by a small network fitted to
-/// CONTACT. It has forces, moment, stick area and fields. Its derivatives at rest are those of
-/// linear theory, and its power is never negative.
+/// the local rigid slip if it does not. A small network, fitted to CONTACT, corrects the
+/// flexibilities. It has forces, moment, stick area and fields. Its derivatives at rest are those
+/// of linear theory, and its power is never negative.
 pub const KSTRIP_MODEL_STRIP: i32 = 3;
 /// A closed formula with a small network fitted to CONTACT. It has forces and moment, and is the
 /// most accurate model for ellipses. Far in sliding it is rigid slip, and its power is never

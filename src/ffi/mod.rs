@@ -35,8 +35,8 @@ use types::kstrip_options;
 
 /// Text in English with the cause of a status and the remedy.
 ///
-/// Returns a static string, never NULL. For a number that is no status the text is "unknown
-/// status".
+/// @param status  a status that a function returned, or any other number.
+/// @return a static string, never NULL; "unknown status" for a number that is no status.
 #[unsafe(no_mangle)]
 pub extern "C" fn kstrip_status_string(status: kstrip_status) -> *const c_char {
     advice(status).unwrap_or(c"unknown status").as_ptr()

@@ -69,7 +69,8 @@ pub struct Indentation<F> {
     pub peak_pressure: F,
     /// y of the strip with the largest pressure \[m\].
     pub peak_y: F,
-    /// Steps of the two searches for the approach, at most 60 each.
+    /// Sum of the steps of the two searches for the approach, at most 60 for each search. It is 0
+    /// if the approach is given.
     pub iterations: u32,
     /// The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends
     /// with the profile.

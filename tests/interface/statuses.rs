@@ -73,3 +73,34 @@ pub fn assert_named(returned: &BTreeSet<(String, i64)>) {
     assert!(list.is_empty(), "the comments in kstrip.h do not name:\n{list}");
     assert!(returned.len() > 200, "{}", returned.len());
 }
+
+/// The names in the `@param` entries of a comment, an entry `a, b  text` as two names.
+fn described(comment: &str) -> BTreeSet<String> {
+    let text = comment.lines().map(|line| line.trim_start_matches([' ', '*']));
+    let text = text.collect::<Vec<_>>().join(" ");
+    let entries = text.split("@param").skip(1).map(|entry| {
+        let entry = entry.trim_start_matches("[out]").trim_start_matches("[in,out]");
+        entry.trim_start().replace(", ", ",").split(' ').next().expect("a name").to_owned()
+    });
+    entries.flat_map(|names| names.split(',').map(str::to_owned).collect::<Vec<_>>()).collect()
+}
+
+/// The comment of a function describes each of its parameters, and no other.
+#[test]
+fn every_parameter_is_described() {
+    let header = read("include/kstrip.h");
+    let functions = header::declared(&header).functions;
+    let mut faults = vec![];
+    for function in &functions {
+        let start = format!("{} {}(", function.kind, function.name).replace("* ", "*");
+        let place = header.find(&start).unwrap_or_else(|| panic!("no {start}"));
+        let comment = header[..place].rsplit("/**").next().expect("a comment");
+        let parameters = function.arguments.iter().map(|argument| argument.name.clone()).collect();
+        let described = described(comment);
+        for name in described.symmetric_difference(&parameters) {
+            faults.push(format!("{}: {name}", function.name));
+        }
+    }
+    assert!(functions.len() > 50, "{}", functions.len());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

@@ -1,4 +1,4 @@
-"""Many values of one class, and how values stand in the memory of the C library."""
+"""Many values of one class, and their layout in the memory of the C library."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def members_of(dtype: np.dtype[Any]) -> tuple[str, ...]:
 
 
 class Layout(Generic[V]):
-    """How the values of a class stand in memory: as bytes, as a structured array."""
+    """The layout of the values of a class in memory: as bytes, as a structured array."""
 
     def __init__(self, kind: type[V]):
         self.kind, self.dtype = kind, dtypes[kind._structure]
@@ -234,7 +234,7 @@ class Batch(Generic[V]):
     __hash__ = None  # type: ignore[assignment]
 
     def copy(self) -> Batch[V]:
-        """A batch with memory of its own."""
+        """A batch that owns its memory."""
         return Batch(self.kind, self.data.copy(), None if self.statuses is None else self.statuses.copy())
 
     def reshape(self, *shape: Any) -> Batch[V]:

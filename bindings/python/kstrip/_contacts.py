@@ -160,7 +160,7 @@ class OfContacts:
     def power_across(self) -> Batch[StripPower]:
         """Load [N], sliding velocity [m/s] and frictional power [W] of each strip of each contact, and its y on the wheel's profile [m].
 
-        Shape as `strips`. They are those of the model "strip" where the pair has "total". kstrip.plot.wear() draws them."""
+        Shape as `strips`. If the pair has the model "total", they are computed with the model "strip". kstrip.plot.wear() draws them."""
         contacts, most = self.contacts, self.strips.shape[-1]
         elements, models = self._given()
         made = np.zeros((*contacts.shape, most), dtype_of("strip_power", elements.single))

@@ -20,7 +20,7 @@ _KINDS = {".prw": "wheel", ".whl": "wheel", ".wheel": "wheel", ".whe": "wheel", 
 
 
 def kind_of_extension(extension: str) -> Optional[str]:
-    """The kind that an extension stands for."""
+    """The kind that an extension names."""
     return _KINDS.get(extension.lower())
 
 

@@ -1,4 +1,4 @@
-"""What the readers of profile files return: points in the units of the file, and what its header says."""
+"""What the readers of profile files return: points in the units of the file, and the statements of its header."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class ProfileError(ValueError):
 
 
 class ProfileWarning(UserWarning):
-    """A profile whose direction, side, kind or units are guessed from weak evidence, or against what its file says."""
+    """A profile whose direction, side, kind or units are guessed from weak evidence, or contradict its file."""
 
 
 @dataclasses.dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Wanted:
 
 @dataclasses.dataclass
 class Points:
-    """The points of a file, in its own units, and what the file says about them."""
+    """The points of a file, in the units of the file, and the statements of the file about them."""
 
     path: pathlib.Path
     format: str

@@ -97,7 +97,7 @@ class _Table:
         return word.replace(",", ".") if self.comma_is_point else word
 
     def row(self, line: str) -> Optional[list[str]]:
-        """The words of a row of numbers; None if it is none. Cells that stand for no number count as numbers."""
+        """The words of a row of numbers; None if it is none. Cells for a missing number count as numbers."""
         words = [self.number(word) for word in self.words(line)]
         numbers = sum(is_number(word) for word in words)
         rest = [word for word in words if not is_number(word)]
@@ -342,7 +342,7 @@ def _letters(name: str) -> str:
 
 
 def as_missing(missing: Union[None, str, float, Sequence[Union[str, float]]]) -> tuple[Union[str, float], ...]:
-    """The values that stand for no number."""
+    """The values that mean a missing number."""
     if missing is None:
         return ()
     return (missing,) if isinstance(missing, (str, int, float)) else tuple(missing)

@@ -143,7 +143,7 @@ def evaluate(contacts: Union[Many[Contact], Patch], creepages: Many[Creepage], f
 
 
 def _evaluate_one(contact: Contact, creepage: Creepage, law: Optional[Friction], chosen: Optional[bytes], derivatives: bool, laws: bool) -> Evaluation:
-    """One contact: the results stand in memory of the thread."""
+    """One contact: the results are in memory of the thread."""
     memory = _memory
     status = lib.kstrip_evaluate(_contact.pack(contact), _creepage.pack(creepage), None if law is None else _friction.pack(law), chosen,
                                  memory.outputs[derivatives, laws])

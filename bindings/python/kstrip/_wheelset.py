@@ -363,7 +363,7 @@ def rolling_radius_difference(wheelset: Wheelset, track: Track, shifts: ArrayLik
 class Conicity(Group):
     """Result of equivalent_conicity(): arrays in the shape of the amplitudes.
 
-    conicity: [-]; 0: the wheelset does not steer. wave_length: [m]; infinite where the conicity is 0. statuses: of each amplitude.
+    conicity: [-]; 0: the wheelset does not steer. wave_length: [m]; infinite if the conicity is 0. statuses: of each amplitude.
     """
 
     conicity: Any

@@ -8,8 +8,8 @@ Such functions run on a GPU, and jax.grad, jax.vmap or torch.autograd differenti
 with model="total" to rounding: 1e-13 of friction times load in double precision, 2e-5 in single precision.
 
 What it lacks, and the C library has: checks of the input and statuses; mismatch of the materials; laws of friction and layers; the models
-STRIP, STRIP_1967 and LINEAR, strips, fields and patches; and the same bits on every machine. There are no matrix products, because a GPU
-rounds the products of matrices in single precision to 10 bits (TF32) by default, an error of 1.5e-3 of friction times load.
+STRIP, STRIP_1967 and LINEAR, strips, fields and patches; and the same bits on every machine. There are no matrix products. By default, a GPU rounds products of matrices in single precision to 10 bits
+(TF32). The error would be 1.5e-3 of friction times load.
 """
 
 from __future__ import annotations

@@ -62,7 +62,7 @@ def creep_curve(contact: Contact, creepage: Optional[ArrayLike] = None, *, spin:
                 friction: Optional[Friction] = None, figure: Any = None) -> Any:
     """The longitudinal force [kN] against the longitudinal creepage [%], and its derivative below.
 
-    contact: one contact(). creepage: array [-]; None: to where the linear force is four times the friction bound.
+    contact: one contact(). creepage: array [-]; None: up to a linear force of four times the friction bound.
     spin: [1/m]. models: their names. friction: a law of friction() that falls with the slip.
 
     >>> figure = plot.creep_curve(contact, models=("total", "strip", "linear"))
@@ -211,8 +211,7 @@ def lateral_shift(wheelset: Wheelset, track: Track, shifts: ArrayLike, load: flo
     """A wheelset against its lateral shift: contact angle, radius difference, load and forces of both wheels.
 
     wheelset, track: Wheelset and Track; the rails are at rest. shifts: to the right [m]. load: vertical force that each rail carries [N].
-    velocity: of both wheels; None: 20 m/s, rolling at the nominal radius. Where a wheel has no position that carries the load the curves
-    have a gap.
+    velocity: of both wheels; None: 20 m/s, rolling at the nominal radius. The curves have a gap if a wheel has no position that carries the load.
 
     >>> figure = plot.lateral_shift(wheelset, track, np.linspace(-6e-3, 6e-3, 5), load=50e3)
     """
@@ -287,7 +286,7 @@ def wear(on: Union[WheelOnRail, WheelOfWheelset, WheelsetOnTrack], *, width: flo
     """T-gamma along the profiles of wheels: frictional work for each metre of the way and each millimetre of the profile [N/mm].
 
     on: of wheel_on_rail() or wheelset_on_track(), with its contacts; of many positions the mean is drawn. width: of the parts of the
-    profile [m]. Each strip has the T-gamma of its own slip, as kstrip_contact_power_across() gives it.
+    profile [m]. Each strip has the T-gamma of its own slip, which kstrip_contact_power_across() computes.
 
     >>> starts = kstrip.wheel_position(lateral=np.linspace(-3e-3, 3e-3, 5), yaw=1e-3)
     >>> still = kstrip.wheelset_settle(wheelset, track, starts, velocity, 100e3)

@@ -95,7 +95,7 @@ class Contact(Value):
     shear_modulus: Combined shear modulus G [Pa] (2.6), > 0, else KSTRIP_ERROR_MODULUS; above 150 GPa KSTRIP_WARNING_YOUNG, above 10 TPa KSTRIP_WARNING_MODULUS.
     poisson_ratio: Combined Poisson's ratio nu [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     friction: Friction mu [-], >= 0, else KSTRIP_ERROR_FRICTION; above 5 KSTRIP_WARNING_FRICTION.
-    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for like materials and positive where the lower body is the softer one; its sign changes where the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
+    mismatch: Mismatch kappa [-] of the two materials (4.3), from kstrip_material_combine(). It is 0 for similar materials and positive if the lower body is softer. Its sign changes if the bodies are exchanged. In dissimilar bodies pressure makes a longitudinal creepage, so that there is a force without creepage. KSTRIP_WARNING_MISMATCH if its size is above 0.25.
     """
 
     _structure: ClassVar[str] = "contact"
@@ -559,7 +559,7 @@ class ProfileResult(Value):
     stiffness: Derivative of the normal force with respect to the approach [N/m].
     peak_pressure: Largest pressure of a strip [Pa].
     peak_y: y of the strip with the largest pressure [m].
-    iterations: Steps of the two searches for the approach, at most 60 each.
+    iterations: Sum of the steps of the two searches for the approach, at most 60 for each search. It is 0 if the approach is given.
     status_detail: The status of this result: 0, or KSTRIP_WARNING_PROFILE_END if a contact region ends with the profile.
     lowest: Distance at that lowest point [m], or of the given points without contact: the bodies have moved by approach + lowest.
     """
@@ -711,7 +711,7 @@ class WheelContact(Value):
     approach: Overlap of the undeformed, smoothed surfaces where it is deepest [m].
     stiffness: Derivative of the load with respect to the distance by which the surfaces are moved into each other [N/m].
     along: Length on the rail at y = 0 of the patch [m].
-    normal: Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, with respect to the members of kstrip_wheel_velocity. The force and the moment of the pressure on the wheel are minus share times normal_force times these six numbers, and times the factor of the damping.
+    normal: Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load, with respect to the members of kstrip_wheel_velocity. The wrench of the pressure on the wheel is minus share times normal_force times these six numbers, and times the factor of the damping.
     slip_x: slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of kstrip_wheel_velocity.
     slip_y: slip_y of kstrip_motion.
     spin_rate: spin_rate of kstrip_motion.
@@ -721,7 +721,7 @@ class WheelContact(Value):
     patch: The strips; y along the rail's surface, x forward from the origin.
     rail_axis: x and z of a roller's axis from the wheel's centre [m]; 0 and 0 for a straight rail.
     rail_rate: Rate of a roller about its axis [rad/s]: rail_speed/rail_radius; 0: a straight rail.
-    strip_rail_speed: Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller rail_rate times the radius of its own undeformed surface there.
+    strip_rail_speed: Speed of the rail's surface at each strip, backward [m/s]: rail_speed; on a roller rail_rate times the radius of the roller's undeformed surface there.
     strip_y: y of each strip on the wheel's undeformed surface, from the wheel's centre [m], axes of the track; of a left wheel that of the mirrored right wheel.
     strip_z: z of each strip [m].
     strip_angle: Angle of each strip [rad], as the angle of the contact: the mean of those of both undeformed surfaces.
@@ -826,7 +826,7 @@ class Wrench(Value):
 
     force: Force on the wheel, axes of the track [N]: forward, lateral, vertical (down; the rail's support is negative).
     moment: Moment on the wheel about its centre [N m] about the wheelset's own axes: roll, pitch (about the axle), yaw.
-    dissipation: Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this, but for contacts with a mismatch of the materials, where pressure adds to the slip.
+    dissipation: Frictional power [W], not negative: creep forces on the rail times slip. The power of the creep forces on the wheel is minus this. Only in contacts with a mismatch of the materials it differs, because pressure adds to the slip.
     normal_force: Sum of the loads of all contacts [N], each along its own normal: share times normal_force of kstrip_wheel_contact, times the factor of the damping.
     contacts: Number of contacts, those that kstrip_wheel_workspace lists; of a wheelset those of both wheels. 0: the wheel is lifted, and nothing acts.
     status_detail: The status of this result: 0 or one of the KSTRIP_WARNING constants.

@@ -17,7 +17,7 @@ use core::mem::MaybeUninit;
 /// receives its index. A lost contact is not bad: its results are zero.
 ///
 /// With more than one contact an output's stride is at least the size of the output, forward or
-/// backward, and every stride is a multiple of the alignment of its type.
+/// backward. Every stride is a multiple of the alignment of its type.
 ///
 /// @param inputs          contacts, creepages, falling friction.
 /// @param count           how many; 0 is allowed.

@@ -106,8 +106,8 @@ fn zeroed(list: &mut [MaybeUninit<F>]) -> &mut [F] {
     unsafe { &mut *(core::ptr::from_mut(list) as *mut [F]) }
 }
 
-/// The prepared profile at a place between two slices of a surface that varies along the track,
-/// such as a switch or a crossing, or around a wheel. It is continuous in the share.
+/// The prepared profile at a place between two slices of a surface. The surface varies along the
+/// track, as at a switch or a crossing, or around a wheel. It is continuous in the share.
 ///
 /// Points at the same share of the length of both profiles belong together: their coordinates are
 /// interpolated, and the result is prepared. Both slices must begin and end at the same features,

@@ -22,9 +22,9 @@ use core::mem::MaybeUninit;
 /// larger, the status is KSTRIP_WARNING_SECOND_MINIMUM.
 ///
 /// Points that lie on one part of the curve do not determine each parameter. The status is then
-/// KSTRIP_WARNING_UNDETERMINED: with errors of the forces of one per cent, or their actual errors
-/// if these are larger, a parameter would be uncertain by more than half of its value. Layer and
-/// slope factor have nearly the same effect; fit one of them.
+/// KSTRIP_WARNING_UNDETERMINED: a parameter would be uncertain by more than half of its value with
+/// errors of the forces of one per cent, or with their actual errors if these are larger. Layer
+/// and slope factor have nearly the same effect; fit one of them.
 ///
 /// @param contact         ellipse, load, material of all points; its friction is ignored.
 /// @param points, count   the measured points.

@@ -110,8 +110,10 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 
 /// kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
 ///
-/// @param rail, wheel, count, pairs, positions, workspace  as in kstrip_wheels_on_rails(); each
-///        search begins at the vertical member of its position.
+/// @param rail, wheel, count, workspace  as in kstrip_wheels_on_rails().
+/// @param pairs, pair_stride  kstrip_wheel_pair of each, and its stride [bytes].
+/// @param positions, position_stride  position of each wheel, and its stride [bytes]; each search
+///                        begins at the vertical member of its position.
 /// @param supports, support_stride  requested upward force of the rail on each wheel [N], > 0, and
 ///                        its stride [bytes].
 /// @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes]; NULL: the

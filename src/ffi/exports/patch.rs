@@ -20,7 +20,7 @@ use core::mem::MaybeUninit;
 /// Contact regions begin with zero width, grow and merge. The results are continuous in distances
 /// and approach, and in the load unless it falls with the approach (rough profiles). The stiffness
 /// is the derivative of the computed load. The approach is measured from the lowest point of the
-/// smoothed profile: it has a kink where another point becomes the lowest.
+/// smoothed profile: it has a kink when another point becomes the lowest.
 ///
 /// @param profile         undeformed distance of the bodies at points in ascending y.
 /// @param contact         rolling radius, load or approach, material, friction, number of strips.

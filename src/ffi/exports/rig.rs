@@ -16,12 +16,12 @@ const BOTH: u32 = KSTRIP_MEASURED_FX | KSTRIP_MEASURED_FY;
 
 /// The coefficient of friction that explains a measured force at a known creepage.
 ///
-/// If the contact adheres (less than a twentieth of the friction is used, or the force is larger
-/// than linear theory gives) the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is the
-/// used friction |force|/load, a lower bound. If spin opposes the creepage, more than one friction
-/// may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result is the
-/// smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps where a
-/// first strip begins to adhere. A jump across the measured force is one of several solutions
+/// The contact adheres if less than a twentieth of the friction is used, or if the force is larger
+/// than in linear theory. Then the status is KSTRIP_WARNING_FRICTION_AT_LEAST, and the result is
+/// the used friction |force|/load, a lower bound. If spin opposes the creepage, more than one
+/// friction may explain the force: the status is KSTRIP_WARNING_SEVERAL_FRICTIONS, and the result
+/// is the smallest. KSTRIP_MODEL_TOTAL suits best. The force of KSTRIP_MODEL_STRIP_1967 jumps when
+/// a first strip begins to adhere. A jump across the measured force is one of several solutions
 /// there, and is returned only with KSTRIP_WARNING_NOT_CONVERGED. With the models of 1967 an
 /// estimate may miss a friction, most often if the force is nearly zero.
 ///

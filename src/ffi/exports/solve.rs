@@ -48,9 +48,9 @@ pub extern "C" fn kstrip_solve(
 ///
 /// If friction is given, the coefficient of friction falls with the slip and agrees with it; the
 /// contact's own coefficient is ignored. All derivatives include that dependence. If more than one
-/// coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss it
-/// under steeply falling friction, because their forces jump, or nearly jump, where a first strip
-/// begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
+/// coefficient agrees with its slip, the result has the largest. The two models of 1967 may miss
+/// it under steeply falling friction, because their forces jump, or nearly jump, when a first
+/// strip begins to adhere. With KSTRIP_MODEL_DEFAULT strips are those of KSTRIP_MODEL_STRIP.
 ///
 /// @param contact, creepage, options  as in kstrip_solve().
 /// @param friction        falling friction; NULL: constant.

@@ -76,9 +76,9 @@ pub struct WheelContact<F> {
     /// Length on the rail at y = 0 of the patch \[m\].
     pub along: F,
     /// Derivatives of the wheel's velocity into the rail, mean of the strips weighted with load,
-    /// with respect to the members of kstrip_wheel_velocity. The force and the moment of the
-    /// pressure on the wheel are minus share times normal_force times these six numbers, and times
-    /// the factor of the damping.
+    /// with respect to the members of kstrip_wheel_velocity. The wrench of the pressure on the
+    /// wheel is minus share times normal_force times these six numbers, and times the factor of
+    /// the damping.
     pub normal: [F; 6],
     /// slip_x of kstrip_motion at the patch's origin: derivatives with respect to the members of
     /// kstrip_wheel_velocity.
@@ -101,7 +101,7 @@ pub struct WheelContact<F> {
     /// Rate of a roller about its axis \[rad/s\]: rail_speed/rail_radius; 0: a straight rail.
     pub rail_rate: F,
     /// Speed of the rail's surface at each strip, backward \[m/s\]: rail_speed; on a roller
-    /// rail_rate times the radius of its own undeformed surface there.
+    /// rail_rate times the radius of the roller's undeformed surface there.
     pub strip_rail_speed: [F; KSTRIP_PATCH_CAPACITY],
     /// y of each strip on the wheel's undeformed surface, from the wheel's centre \[m\], axes of
     /// the track; of a left wheel that of the mirrored right wheel.

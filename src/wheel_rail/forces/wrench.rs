@@ -40,8 +40,8 @@ pub struct Wrench<F> {
     /// (about the axle), yaw.
     pub moment: [F; 3],
     /// Frictional power \[W\], not negative: creep forces on the rail times slip. The power of the
-    /// creep forces on the wheel is minus this, but for contacts with a mismatch of the materials,
-    /// where pressure adds to the slip.
+    /// creep forces on the wheel is minus this. Only in contacts with a mismatch of the materials
+    /// it differs, because pressure adds to the slip.
     pub dissipation: F,
     /// Sum of the loads of all contacts \[N\], each along its own normal: share times normal_force
     /// of kstrip_wheel_contact, times the factor of the damping.
