@@ -247,9 +247,9 @@ impl Report {
     fn all_methods(&mut self) {
         self.line("\n## All methods, all cases\n");
         self.line(
-            "`open.csv`: 854 cases, ν = 0.28, a/b from 0.1 to 10, |ψ| up to 3. Force in μ N, \
-             moment in μ N √(ab), stick area as a share of the contact. \"–\": the method has no \
-             such result.\n",
+            "`open.csv` has 854 cases with ν = 0.28, a/b from 0.1 to 10 and |ψ| up to 3. \
+             Forces are in μ N, moments in μ N √(ab). The stick area is a share of the \
+             contact area. The sign – means that the method has no such result.\n",
         );
         let main: Vec<&Method> = self.models.iter().chain(self.main_peers()).collect();
         let rows = [true, false].map(|open| rows(&main, open));
@@ -257,10 +257,10 @@ impl Report {
         let largest =
             |value: fn(&Case) -> f64| self.validation.iter().map(value).fold(0.0, f64::max);
         let text = format!(
-            "\nValidation: the {} rows of the training files that no fit was trained on, ν from 0 \
-             to 0.5, a/b from {:.2} to {:.1}, |ψ| up to {:.0}. Some of these rows are beyond the \
-             range for which STRIP and TOTAL are meant. The reference is coarser here (estimated \
-             error about 0.001 to 0.003, at worst 0.01).\n",
+            "\nThe validation cases are the {} rows of the training files that no fit was trained \
+             on. ν is 0 to 0.5, a/b is {:.2} to {:.1}, and |ψ| is up to {:.0}. Some of these rows \
+             are beyond the range for which STRIP and TOTAL are meant. The reference is coarser \
+             here.\n",
             self.validation.len(),
             1.0 / largest(|case| 1.0 / case.axis_ratio),
             largest(|case| case.axis_ratio),
@@ -269,8 +269,7 @@ impl Report {
         self.line(text);
         self.error_table(&rows[1]);
         self.line(
-            "\nFASTSIM and FaStrip have many variants: [all \
-             variants](#variants-of-fastsim-and-fastrip).\n",
+            "\nFASTSIM and FaStrip have [many variants](#variants-of-fastsim-and-fastrip).\n",
         );
         self.line(
             "![The same histogram for the validation cases](accuracy/histogram_validation.svg)",
@@ -315,7 +314,8 @@ impl Report {
     fn by_strip_count(&mut self) {
         self.line("\n## Strip count and precision\n");
         self.line(
-            "The cases of `open.csv`, in double precision (`f64`) and single precision (`f32`).\n",
+            "The table has the cases of `open.csv` in double precision (`f64`) and single \
+             precision (`f32`).\n",
         );
         self.header(&[
             "model",
@@ -355,9 +355,9 @@ impl Report {
     fn by_region(&mut self) {
         self.line("\n## By region\n");
         self.line(
-            "Force: mean / 95th percentile / max of `|f − f_ref|`. The last two methods are the \
-             better variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is in the tables to \
-             show where it may be used.\n",
+            "The tables have mean / 95th percentile / max of `|f − f_ref|`. The last two \
+             methods are the better variants of FASTSIM and FaStrip on 20x20 cells. LINEAR is \
+             in the tables to show where it may be used.\n",
         );
         for (set, open) in [("open.csv", true), ("validation", false)] {
             for dimension in dimensions() {
@@ -404,10 +404,11 @@ impl Report {
     fn slender(&mut self) {
         self.line("\n## Slender contacts\n");
         self.line(
-            "`open_slender.csv`: 140 cases beyond the axis ratios of `open.csv`, ν from 0 to 0.5, \
-             which no fit uses. Force: mean / 95th percentile / max; moment in μ N √(ab): mean / \
-             max. FASTSIM and FaStrip get the linear coefficients of the library. STRIP and TOTAL \
-             warn below 0.015 and above 60.\n",
+            "`open_slender.csv` has 140 cases beyond the axis ratios of `open.csv`, which no \
+             fit uses. ν is 0 to 0.5. The table has mean / 95th percentile / max of the \
+             force, and mean / max of the moment in μ N √(ab). FASTSIM and FaStrip get the \
+             linear coefficients of the library. STRIP and TOTAL return a warning below 0.015 \
+             and above 60.\n",
         );
         self.by_axis_ratio(&slender(), &[0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1]);
     }
@@ -415,10 +416,10 @@ impl Report {
     fn turning(&mut self) {
         self.line("\n## Large creepage that spin turns around\n");
         self.line(
-            "`boundary_elements.csv`: 576 cases of 24 contacts, linear forces to 100 and ψ to 5, \
-             half of them with a creepage that balances the spin somewhere in the contact; \
-             computed by boundary elements of our own (`fit/boundary_elements.py`), and used by no \
-             fit.\n",
+            "`boundary_elements.csv` has 576 cases of 24 contacts, with linear forces to 100 \
+             and ψ to 5. In half of them the creepage balances the spin somewhere in the \
+             contact. They were computed by boundary elements of this project \
+             (`fit/boundary_elements.py`). No fit uses them.\n",
         );
         self.by_axis_ratio(&turning(), &[0.015, 0.12, 7.0, 20.0, 60.1]);
     }
@@ -454,11 +455,12 @@ impl Report {
     fn unlike(&mut self) {
         self.line("\n## Dissimilar materials\n");
         self.line(
-            "`kappa.csv`: 170 pairs of results of CONTACT with the mismatch `κ` of the materials \
-             and without. Error of the difference that `κ` makes to the force, `|(f − f₀) − (f − \
-             f₀)_ref|` in μ N: mean / 95th percentile / max. Ordinary pairs: `|κ|` up to 0.13, μ \
-             from 0.3 on (steel on aluminium, cast iron or bronze). Methods without `κ` have the \
-             error of the first row: FASTSIM, FaStrip, STRIP_1967.\n",
+            "`kappa.csv` has 170 pairs of results of CONTACT, with and without the mismatch \
+             `κ` of the materials. The error is the error of the difference that `κ` makes to \
+             the force, `|(f − f₀) − (f − f₀)_ref|` in μ N. The table has mean / 95th \
+             percentile / max. Ordinary pairs have `|κ|` up to 0.13 and μ from 0.3 on, such \
+             as steel on aluminium, cast iron or bronze. FASTSIM, FaStrip and STRIP_1967 have \
+             no `κ`, and the error of the first row.\n",
         );
         self.header(&["method", "all", "ordinary pairs"]);
         let pairs = unlike();
@@ -530,10 +532,11 @@ impl Report {
     fn fields(&mut self) {
         self.line("\n## Traction fields\n");
         self.line(
-            "The 11 fields in `tests/data/fields`. Error: the sum of `|p − p_ref|` divided by the \
-             sum of `μ p_n`, both for the reference's cells. Stick area: share of the cells that \
-             stick, minus the reference's. Wrong state: share of the cells where one sticks and \
-             the other slips.\n",
+            "The table has the 11 fields in `tests/data/fields`. The error is the sum of `|p \
+             − p_ref|` divided by the sum of `μ p_n`, both for the cells of the reference. \
+             The stick area is the share of the cells that stick, minus the share in the \
+             reference. A wrong state is a cell that sticks in one result and slips in the \
+             other.\n",
         );
         self.header(&[
             "case",
@@ -607,10 +610,11 @@ impl Report {
     fn coefficients(&mut self) {
         self.line("\n## Linear coefficients\n");
         self.line(
-            "`C11, C22, C23, C33` of the library divided by those computed with CONTACT, minus \
-             one, in per cent, for ν = 0, 0.25, 0.28, 0.5. The reference itself is good to about \
-             0.3 % (`C33` at a/b ≥ 5: about 1 %). LINEAR uses these coefficients as they are; \
-             STRIP and TOTAL have them as their derivatives at zero.\n",
+            "The table has the coefficients of the library divided by the coefficients of \
+             CONTACT, minus one, in per cent, for four values of ν. The error of the \
+             reference is about 0.3 %, for `C33` at a/b ≥ 5 about 1 %. LINEAR uses these \
+             coefficients as they are. STRIP and TOTAL have them as their derivatives at \
+             zero.\n",
         );
         self.header(&["a/b", "C11", "C22", "C23", "C33"]);
         let cases = coefficient_cases();

@@ -107,25 +107,22 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line("## How far from CONTACT: profiles\n");
     report.line(
         "CONTACT solved the normal and the tangential problem of 30 profiles on elastic \
-         half-spaces (`tests/data/patches`), with nine creepages",
+         half-spaces (`tests/data/patches`), with nine creepages each. Profiles of the family \
+         `hertz` are parabolas, for control. The patches have 16 strips and the default \
+         smoothing.\n",
     );
+    report.header(&["quantity", "value"]);
+    report.row(["shear modulus, Poisson's ratio", "steel, `ν = 0.28`"]);
+    report.row(["load", "31 to 100 kN"]);
+    report.row(["friction", "0.3"]);
+    report.row(["length of the patches divided by their width", "0.6 to 4.7"]);
     report.line(
-        "each. The bodies are of steel (`ν = 0.28`), the load is 31 to 100 kN, the friction 0.3, \
-         and the length of the patches along the rolling",
+        "\nErrors of area, peak pressure and approach are in %, mean / largest. Errors of the \
+         force are in units of `μ N`. Errors of the moment are in units of `μ N c` with `c = \
+         √(area/π)`. Both are mean / 95th percentile / largest. One column has STRIP on \
+         CONTACT's own outline and loads. Its errors are nearly as large, so that nearly all \
+         of the error comes from the tangential model.\n",
     );
-    report.line(
-        "direction is 0.6 to 4.7 of their width. The patches have 16 strips and the default \
-         smoothing. Errors of area, peak pressure and approach",
-    );
-    report.line(
-        "are in %, mean / largest. Errors of the force are in units of `μ N`, those of the moment \
-         in units of `μ N c` with `c = √(area/π)`; both are",
-    );
-    report.line(
-        "mean / 95th percentile / largest. One column has STRIP on CONTACT's own outline and \
-         loads: nearly all of the error comes from the",
-    );
-    report.line("tangential model. Profiles of the family `hertz` are parabolas, for control.\n");
     report.header(&[
         "family",
         "profiles",
@@ -169,17 +166,12 @@ fn other_tables(report: &mut Report) {
     report.line("\n## Given strips, friction in bands, falling friction\n");
     report.line(
         "The table has the errors of force and moment with STRIP, mean / 95th percentile / \
-         largest. Given strips have half-elliptic pressure. The",
+         largest. Given strips have half-elliptic pressure. The strips of skewed patches have \
+         centres beside `x = 0`. Bands and falling friction are on ellipses of 16 strips with \
+         three axis ratios. All bodies are of steel (`ν = 0.28`). In CONTACT friction falls \
+         with the slip of each point, here with the mean slip of the patch. One row has all \
+         families of falling friction.\n",
     );
-    report.line(
-        "strips of skewed patches have centres beside `x = 0`. Bands and falling friction are on \
-         ellipses of 16 strips with `a/b` 0.5, 1 and 2.5. All",
-    );
-    report.line(
-        "are of steel (`ν = 0.28`). In CONTACT friction falls with the slip of each point, here \
-         with the mean slip of the patch. One row has all",
-    );
-    report.line("families of falling friction.\n");
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
     for (list, sum) in [given(), banded(COUNT)].into_iter().zip(&mut sums) {
@@ -214,16 +206,11 @@ impl Uniform {
 fn noise_table(report: &mut Report, list: &[Compared]) {
     report.line("\n## Measured points\n");
     report.line(
-        "The table has the change of the force, in units of `μ N`, for the 30 profiles and nine \
-         creepages if their points are measured. The points",
-    );
-    report.line(
-        "are 0.05 mm apart. Each profile was disturbed 20 times with noise of 5 µm rms, and 20 \
-         times with one point that is wrong by 20 µm. The",
-    );
-    report.line(
-        "largest changes come from noise that tilts a wide patch with spin and moves its middle \
-         by 0.1 mm.\n",
+        "The table has the change of the force, in units of `μ N`, for the 30 profiles and \
+         nine creepages if their points are measured. The points are 0.05 mm apart. Each \
+         profile was disturbed 20 times with noise of 5 µm rms. Then it was disturbed 20 \
+         times at one point, by 20 µm. The largest changes come from noise that tilts a wide \
+         patch with spin and moves its middle by 0.1 mm.\n",
     );
     report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
     let mut uniform = Uniform(20_260_117);
@@ -270,11 +257,9 @@ fn merging_table(report: &mut Report) {
     report.line("\n## Zones that merge\n");
     report.line(
         "A profile with two local minima 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed \
-         harder and harder. Two zones grow, touch and become one. The table",
-    );
-    report.line(
-        "has the largest change of the force, in units of `μ N`, and the largest relative change \
-         of the approach for a load step of 0.01 %. Neither jumps.\n",
+         with a growing load. Two zones grow, touch and become one. The table has the largest \
+         change of the force, in units of `μ N`, for a load step of 0.01 %. It also has the \
+         largest relative change of the approach for this step. Neither jumps.\n",
     );
     report.header(&["H [µm]", "load [kN]", "zones", "force, STRIP", "force, TOTAL", "approach"]);
     let y: Vec<f64> = (-1000..=1000).map(|i| 20e-6 * f64::from(i)).collect();
@@ -336,15 +321,10 @@ fn real_table(report: &mut Report, list: &[Case]) {
     report.line("\n## Real wheels on real rails\n");
     report.line(
         "The 36 patches are from six pairs of profiles, new and worn, with yaw \
-         (`tests/data/real`). Each point has its rolling radius and its place",
-    );
-    report.line(
-        "along `x`. The bodies are of steel (`ν = 0.28`), the load is 34 to 146 kN, the friction \
-         0.3, and the mean length of the patches is 0.3 to 24",
-    );
-    report.line(
-        "of their width. Creepages and moment are about the origin of the profile. The errors \
-         against CONTACT are defined as above.\n",
+         (`tests/data/real`). Each point has its rolling radius and its place along `x`. The \
+         bodies are of steel (`ν = 0.28`), with friction 0.3. The load is 34 to 146 kN. The \
+         mean length of the patches is 0.3 to 24 of their width. Creepages and moment are \
+         about the origin of the profile. The errors against CONTACT are defined as above.\n",
     );
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();
@@ -378,8 +358,8 @@ fn real_table(report: &mut Report, list: &[Case]) {
 fn smoothing_table(report: &mut Report, list: &[Case]) {
     report.line("\n## What smoothing does\n");
     report.line(
-        "The table has the mean error of the peak pressure of the real patches, in %, if their \
-         points are measured with noise.\n",
+        "The table has the mean error of the peak pressure of the real patches, in %, if \
+         their points are measured with noise.\n",
     );
     report.header(&["smoothing length", "no noise", "2 µm rms", "5 µm rms"]);
     for (name, smoothing_length) in
@@ -507,14 +487,14 @@ impl Axes {
             let y = f64::from(i) * across;
             let h = self.across(1e-3 * y);
             line(canvas, &[(h, 50.0), (h, 218.0)], PALE, 1.0)?;
-            write(canvas, &number(y), (h, 228.0), 10, Align::Centre, INK)?;
+            write(canvas, &number(y), (h, 228.0), 11, Align::Centre, INK)?;
         }
         let upward = step(self.high - self.low);
         for i in (self.low / upward).ceil() as i32..=(self.high / upward).floor() as i32 {
             let v = self.up(f64::from(i) * upward);
             line(canvas, &[(self.left - 3.0, v), (self.left + 290.0, v)], PALE, 1.0)?;
             let text = number(f64::from(i) * upward);
-            write(canvas, &text, (self.left - 6.0, v), 10, Align::Right, INK)?;
+            write(canvas, &text, (self.left - 6.0, v), 11, Align::Right, INK)?;
         }
         let corner = [(self.left, 50.0), (self.left, 215.0), (self.left + 290.0, 215.0)];
         line(canvas, &corner, INK, 1.0)?;
@@ -693,8 +673,8 @@ fn main() {
     .unwrap();
     report.line("\n## A real patch\n");
     report.line(
-        "On the left are both ends of each strip. The data have only the largest pressure \
-         of CONTACT, the dashed line.\n",
+        "The left plot has both ends of each strip. The data have only the largest pressure \
+         of CONTACT, which is the dashed line.\n",
     );
     let (name, what) = SHOWN_REAL;
     let case = rails.iter().find(|case| case.name == name).unwrap();
@@ -705,12 +685,10 @@ fn main() {
     report.line(format!("![Outline and pressure of {name}](patches/{name}.svg)\n"));
     report.line("## Light contact, zones that appear, profiles that move\n");
     report.line(
-        "Left: the load of a light contact of a parabola divided by the power 3/2 of its approach \
-         is the same from 1e-12 m on. Middle: a second zone appears",
-    );
-    report.line(
-        "while two bodies approach, and the load has no step. Right: a profile with two \
-         local minima moves sideways at 80 kN, and the force has no step.\n",
+        "The left plot has the load of a light contact of a parabola, divided by the power \
+         3/2 of its approach. It is constant from 1e-12 m on. In the middle plot a second \
+         zone appears while two bodies approach, and the load has no step. In the right plot \
+         a profile with two local minima moves sideways at 80 kN, and the force has no step.\n",
     );
     picture(&docs.join("patches/sweeps.svg"), (880, 260), draw_sweeps).unwrap();
     report.line("![Light contact, a zone that appears, a shift](patches/sweeps.svg)\n");

@@ -6,6 +6,7 @@
 //!
 //! `cargo bench --bench speed -- print` writes nothing and prints the page: for builds of another
 //! kind, as `RUSTFLAGS="-C target-cpu=x86-64-v3" cargo bench --bench speed -- print`.
+//! `cargo bench --bench speed -- picture` draws the picture from the page, without measuring.
 
 #[path = "speed/calls.rs"]
 mod calls;
@@ -25,7 +26,7 @@ mod plot;
 #[path = "common/progress.rs"]
 mod progress;
 
-use calls::{AVX2, BATCHES, CALLS, How, LANES, Row, SCALAR, SETS, Set};
+use calls::{AVX2, BATCHES, CALLS, How, LANES, Row, SCALAR, SETS, Set, Wrong};
 use kstrip_testing::reference;
 use kstrip_testing::toolchain::root;
 use lines::Lines;
@@ -47,18 +48,14 @@ const ELSEWHERE: [(&str, &str, f64); 6] = [
     ("CONTACT 100x50, the reference (its error estimated)", "0.5 s", 0.0006),
 ];
 
-/// Ratios to FASTSIM 10x10, scalar, random contacts with spin, of earlier states of the library: of
-/// commits 5a9305f and 97d2727, the last before contacts, strips and pairs became one kind of
-/// lanes, whose models are the same, and of a state before them. STRIP_1967, TOTAL, STRIP.
-const EARLIER: [(&str, [f64; 3]); 4] = [
+/// Ratios to FASTSIM 10x10, scalar, random contacts with spin, on other processors at two commits
+/// whose models are the same. STRIP_1967, TOTAL, STRIP.
+const ELSEWHERE_TIMES: [(&str, [f64; 3]); 2] = [
     ("commit 5a9305f, Intel Xeon, family 6, model 207", [0.303, 0.342, 0.677]),
     ("commit 97d2727, Intel Xeon, family 6, model 167", [0.308, 0.355, 0.668]),
-    ("an earlier state, AMD EPYC, Zen 3", [0.304, 0.300, 0.542]),
-    ("an earlier state, AMD EPYC, Zen 1", [0.243, 0.32, 0.76]),
 ];
 
-/// The same ratios of other methods, whose code has not changed since, on an Intel Xeon, family 6,
-/// model 167.
+/// The same ratios of other methods, on an Intel Xeon, family 6, model 167.
 const UNCHANGED: [(&str, f64); 6] = [
     (LANES, 190.0 / 656.0),
     (AVX2, 205.0 / 656.0),
@@ -68,16 +65,18 @@ const UNCHANGED: [(&str, f64); 6] = [
     ("Polach", 30.9 / 656.0),
 ];
 
-/// Methods of which this implementation misses the largest error that was published for it on the
-/// same cases (`tests/peers.rs`).
-const MISSED: [(&str, f64); 3] = [
+/// Methods whose largest error here is above the published one on the same cases
+/// (`tests/peers.rs`).
+const PUBLISHED: [(&str, f64); 3] = [
     ("FaStrip 20x20, flexibility (1982)", 0.18),
     ("FaStrip 80x50, flexibility (1982)", 0.16),
     ("FaStrip 20x20 as in CONTACT", 0.12),
 ];
 
-/// `kstrip_evaluate` may cost this much of `kstrip_solve` where the forces alone are requested.
-const ALONE: f64 = 1.05;
+const PAGE: &str = "docs/evidence/speed-vs-error.md";
+/// Headings of the tables that the picture plots.
+const EVERY: &str = "## Every model and every other method";
+const BATCHED: &str = "## Many contacts at once";
 
 struct Report {
     rows: Vec<Row>,
@@ -170,11 +169,6 @@ impl Report {
         self.time(name, "f64", How::Solve, set)
     }
 
-    /// Over the classical loop of FASTSIM 10x10 on the same inputs, double precision.
-    fn ratio(&self, name: &str, how: How, set: Set) -> f64 {
-        self.time(name, "f64", how, set) / self.peer(SCALAR, set)
-    }
-
     /// Names of the models with their strips.
     fn models(&self) -> Vec<String> {
         let mut names: Vec<String> = Vec::new();
@@ -192,53 +186,53 @@ impl Report {
         self.line("![Error against cost](speed-vs-error.svg)\n");
         self.line(
             "The picture plots the error against the time of one contact, for every model and \
-             every other method: the best are at the lower left. Times depend on the",
+             every other method. The best methods are at the lower left. Times depend on the \
+             processor, and so do ratios of times. In the first table these differ by up to \
+             two fifths between processors. Counts of instructions do not depend on the \
+             processor.\n",
         );
-        self.line(
-            "processor, and so do ratios of times: in the first table they differ by up to \
-             two fifths between processors. Counts of instructions do not depend on",
-        );
-        self.line("the processor.\n");
         self.processors(machine);
         self.line("\n## How it was measured\n");
         self.line(format!("* Machine: {machine}."));
         self.line(format!(
-            "* Times are nanoseconds of a contact: the median of {ROUNDS} rounds in which all rows \
-             take turns, in processor time of the thread. Other programs are not counted, though \
-             caches and clock rate are shared with them: ratios of two runs differ by less than 3 \
-             % as a rule, and by up to 6 % in batches. Models are called through the C interface \
-             by a pointer that the compiler cannot see through. They check their input and, unless \
-             prepared, compute the linear coefficients in every call. The other methods are called \
-             the same way, but they check nothing, and they are given their coefficients and grids."
+            "* Times are nanoseconds of a contact, as processor time of the thread. Each is \
+             the median of {ROUNDS} rounds in which all rows take turns. Other programs are \
+             not counted, but they share caches and clock rate. Ratios of two runs usually \
+             differ by less than 3 %, in batches by up to 6 %. Models are called through the \
+             C interface, by a pointer that the compiler cannot resolve. They check their \
+             input and, unless prepared, compute the linear coefficients in every call. The \
+             other methods are called in the same way. But they check nothing, and they are \
+             given their coefficients and grids."
         ));
         self.line(format!(
-            "* Inputs: {CALLS} of each kind. *One contact*: a = 6 mm, b = 4 mm, 80 kN, steel, μ = \
-             0.3, creepages from partial slip to sliding, |ψ| up to 0.5. *Random*: a/b 0.1 to 10, \
-             ν 0 to 0.5, linear force 0 to 3 μ N in any direction, |ψ| up to 0.95, or no spin. \
-             *Mixed*: the same, in turns with spin, without, longitudinal alone, lateral with \
-             spin, spin alone, and |ψ| from 1 to 3. Each random contact is prepared by itself, so \
-             that its numbers (776 bytes) are not in the nearest cache."
+            "* Inputs are {CALLS} of each kind. *One contact* has a = 6 mm, b = 4 mm, 80 kN, \
+             steel, μ = 0.3, and creepages from partial slip to sliding. *Random* contacts \
+             have a/b 0.1 to 10, ν 0 to 0.5, linear forces 0 to 3 μ N in any direction, and \
+             |ψ| up to 0.95 or no spin. *Mixed* contacts take turns: with spin, without, \
+             longitudinal alone, lateral with spin, spin alone, and |ψ| from 1 to 3. Each \
+             random contact is prepared separately, so that its numbers are not in the \
+             nearest cache."
         ));
         self.line(
-            "* Errors: of the force, `|f − f_ref|` in units of `μ N`, for the 854 cases of \
-             `tests/data/open.csv`; of the derivatives, the worst entry of `∂(fx, fy)/∂(vx, vy, \
-             φ)` divided by the linear one, in the 70 states of `tests/data/jacobians.csv`; both \
-             as in [accuracy.md](accuracy.md). In single precision the derivatives are those of \
-             double precision.",
+            "* Errors are defined as in [accuracy.md](accuracy.md). The error of the force is \
+             `|f − f_ref|` in units of `μ N`, for the 854 cases of `tests/data/open.csv`. The \
+             error of the derivatives is the worst entry of `∂(fx, fy)/∂(vx, vy, φ)` divided \
+             by the linear entry, in the 70 states of `tests/data/jacobians.csv`. In single \
+             precision the derivatives of double precision are shown.",
         );
         self.line(
-            "* FASTSIM 10x10 (3 flexibilities, parabolic bound, cell centres; \
-             `benches/peers/fastsim.rs`) is the unit of the ratios. *Scalar* is the classical \
-             loop, strip after strip, as most programs have it. *Ten lanes* computes its strips \
-             side by side without branches, in registers of 128 bits. *AVX2* uses those of 256 \
-             bits, where the processor has them.",
+            "* FASTSIM 10x10 is the unit of the ratios. It has three flexibilities, a \
+             parabolic bound and cell centres (`benches/peers/fastsim.rs`). *Scalar* is the \
+             classical loop, strip after strip, as most programs have it. *Ten lanes* \
+             computes its strips in parallel without branches, in registers of 128 bits. \
+             *AVX2* uses registers of 256 bits, if the processor has them.",
         );
-        for (name, published) in MISSED {
+        for (name, published) in PUBLISHED {
             let row = self.rows.iter().find(|row| row.name == name);
             let found = row.map_or(f64::NAN, |row| row.wrong.force.max);
             self.line(format!(
-                "* {name} misses its published figures: largest error {found:.4} here, {published} \
-                 there."
+                "* The largest error of {name} is {found:.4}. Its published value is \
+                 {published}."
             ));
         }
     }
@@ -253,8 +247,8 @@ impl Report {
         };
         let here = machine.split("), ").next().unwrap_or(machine).replace(" (family", ", family");
         self.line(
-            "Time of one call of a model divided by that of FASTSIM 10x10, for random \
-             contacts with spin in double precision:\n",
+            "The table has the time of one call of a model divided by the time of FASTSIM \
+             10x10, for random contacts with spin in double precision.\n",
         );
         let mut header = vec![
             "model".to_owned(),
@@ -263,7 +257,7 @@ impl Report {
             "of ten lanes".to_owned(),
             "of AVX2".to_owned(),
         ];
-        header.extend(EARLIER.map(|(name, _)| format!("{name}: of scalar")));
+        header.extend(ELSEWHERE_TIMES.map(|(name, _)| format!("{name}: of scalar")));
         self.header(&header);
         let rows = [
             ("STRIP_1967", "STRIP_1967 f64 solve 16 "),
@@ -276,18 +270,15 @@ impl Report {
             cells.extend(
                 [SCALAR, LANES, AVX2].map(|peer| digits(time / self.peer(peer, Set::Spin))),
             );
-            cells.extend(EARLIER.map(|(_, ratios)| digits(ratios[i])));
+            cells.extend(ELSEWHERE_TIMES.map(|(_, ratios)| digits(ratios[i])));
             self.row(cells);
         }
         self.line(
-            "\nThe columns of the first processor are those of this run. The last four were \
-             measured on other processors, with earlier states of the library that were not run \
-             again. Its models are the same in the two commits that are named, which",
-        );
-        self.line(
-            "therefore compare two Intel processors. For your processor, run `cargo bench --bench \
-             speed` on a machine that does nothing else: it writes this page. The code of the \
-             other methods is the same in all runs, and compares an AMD and an Intel processor:\n",
+            "\nThe columns of the first processor are from this run. The last two are from \
+             other processors, at two commits whose models are the same. They compare two \
+             Intel processors. For your processor, run `cargo bench --bench speed` on a \
+             machine that does nothing else. It writes this page. The code of the other \
+             methods is the same in all runs, and compares an AMD and an Intel processor:\n",
         );
         self.header(&[
             "method",
@@ -304,16 +295,11 @@ impl Report {
         };
         let [single, strip] = ["TOTAL", "STRIP, 16 strips"].map(|name| of_lanes(name, How::Solve));
         let batch = of_lanes("TOTAL", How::Batch(100));
-        let error = |name: &str| {
-            let row = self.rows.iter().find(|row| row.name == name);
-            row.map_or(f64::NAN, |row| row.wrong.force.mean)
-        };
-        let [ours, theirs] = ["TOTAL", LANES].map(error);
         self.line(format!(
             "The scalar FASTSIM, which most programs have, is slower than every model of this \
-             table. Of the time of FASTSIM in ten lanes one call of TOTAL takes {single}, a \
-             contact of TOTAL in a batch of 100 {batch}, and one call of STRIP {strip}. The mean \
-             error of the force is {ours:.4} of `μ N` with TOTAL and {theirs:.4} with FASTSIM."
+             table. The next ratios are to the time of FASTSIM in ten lanes. One call of TOTAL \
+             takes {single}, a contact of TOTAL in a batch of 100 takes {batch}, and one call of \
+             STRIP takes {strip}."
         ));
     }
 
@@ -331,83 +317,11 @@ impl Report {
         }
     }
 
-    fn wanted(&mut self) {
-        use How::{Batch, Derivatives, Forces, Prepared, Solve};
-        let scalar = "of FASTSIM 10x10, scalar";
-        let mut rows: Vec<(String, &str, Set, f64, f64)> = Vec::new();
-        for (name, how, set, aim) in [
-            ("STRIP_1967", Solve, Set::Spin, 0.2),
-            ("STRIP_1967", Solve, Set::NoSpin, 0.08),
-            ("STRIP, 16 strips", Solve, Set::Spin, 0.6),
-            ("STRIP, 8 strips", Solve, Set::Spin, 0.45),
-            ("TOTAL", Solve, Set::Spin, 0.22),
-            ("TOTAL", Prepared, Set::One, 0.165),
-            ("LINEAR", Prepared, Set::One, 0.008),
-            ("STRIP_1967", Batch(100), Set::Spin, 0.08),
-            ("STRIP, 16 strips", Batch(100), Set::Spin, 0.25),
-            ("TOTAL", Batch(100), Set::Spin, 0.1),
-        ] {
-            let what = format!("{name}, {}", manner(how));
-            rows.push((what, scalar, set, self.ratio(name, how, set), aim));
-        }
-        for (name, aim) in [("STRIP_1967", 2.2), ("STRIP, 16 strips", 2.5), ("TOTAL", 2.5)] {
-            let of = |how| self.time(name, "f64", how, Set::Spin);
-            let what = format!("{name}, with derivatives");
-            rows.push((what, "of its forces", Set::Spin, of(Derivatives) / of(Solve), aim));
-        }
-        // the worst of all models and precisions
-        let worst = |of: &dyn Fn(&str, &str) -> f64| {
-            let mut worst = (String::new(), 0.0);
-            for name in self.models() {
-                for precision in ["f64", "f32"] {
-                    let found = of(&name, precision);
-                    if found > worst.1 {
-                        worst = (format!("{name}, {precision}"), found);
-                    }
-                }
-            }
-            worst
-        };
-        let (name, found) = worst(&|name, precision| {
-            let of = |how| self.time(name, precision, how, Set::Spin);
-            of(Forces) / of(Solve)
-        });
-        let what = format!("forces alone, the most expensive model ({name})");
-        rows.push((what, "of `kstrip_solve`", Set::Spin, found, ALONE));
-        for count in [100, 1000] {
-            let (name, found) = worst(&|name, precision| {
-                let of = |how| self.time(name, precision, how, Set::Mixed);
-                of(Batch(count)) / of(Solve)
-            });
-            let what = format!("batch of {count}, the most expensive model ({name})");
-            rows.push((what, "of a loop over `kstrip_solve`", Set::Mixed, found, 1.0));
-        }
-        self.line("\n## Targets\n");
-        self.line(
-            "These ratios were aims of the design. They are in double precision unless \
-             another one is named.\n",
-        );
-        self.header(&["what", "inputs", "ratio", "measured", "target", ""]);
-        for (what, ratio, set, found, aim) in rows {
-            let short = |x: f64| format!("{x:.3}");
-            let verdict = if found <= aim { "met" } else { "missed" };
-            let inputs = title(set).to_owned();
-            self.row([
-                what,
-                inputs,
-                ratio.to_owned(),
-                short(found),
-                short(aim),
-                verdict.to_owned(),
-            ]);
-        }
-    }
-
     fn everything(&mut self) {
-        self.line("\n## Every model and every other method\n");
+        self.line(format!("\n{EVERY}\n"));
         self.line(
-            "Nanoseconds; ratios to FASTSIM 10x10 for random contacts with spin; errors \
-             (mean / 95th percentile / max) as described above.\n",
+            "Times are nanoseconds. Ratios are to FASTSIM 10x10 for random contacts with \
+             spin. Errors are mean / 95th percentile / max, as described above.\n",
         );
         let mut header = vec!["method", "how", "precision"];
         header.extend(SETS.map(title));
@@ -435,7 +349,7 @@ impl Report {
         for cells in lines {
             self.row(cells);
         }
-        self.line("\nMeasured with CONTACT's own code, earlier and not in this run:\n");
+        self.line("\nThe next table was measured with CONTACT's own code, not in this run.\n");
         self.header(&["method", "time", "error of the force, mean"]);
         for (name, time, error) in ELSEWHERE {
             self.row([name.to_owned(), time.to_owned(), error.to_string()]);
@@ -443,16 +357,23 @@ impl Report {
     }
 
     fn batches(&mut self) {
-        self.line("\n## Many contacts at once\n");
+        self.line(format!("\n{BATCHED}\n"));
         self.line(
-            "`kstrip_evaluate_batch` with one array for each quantity against a loop over \
-             `kstrip_solve`, nanoseconds of a contact; the results are the same bits. On x86-64 \
-             processors with AVX, four contacts in double precision or eight in single precision \
-             stand side by side in one register; with AVX-512 twice as many. The library checks \
-             once whether the processor has AVX and AVX-512, and remembers it. AVX-512 takes 0.62 \
-             of the time of AVX for TOTAL, 0.53 with derivatives, 0.60 for STRIP (AMD EPYC, \
-             family 26).\n",
+            "The second table compares `kstrip_evaluate_batch`, with one array for each quantity, \
+             with a loop over `kstrip_solve`. Times are nanoseconds of a contact, and the \
+             results have the same bits. On x86-64 processors with AVX, four contacts in \
+             double precision or eight in single precision share one register. With AVX-512 \
+             it is twice as many. The library checks once whether the processor has AVX and \
+             AVX-512. The first table has the time with AVX-512 divided by the time with AVX, \
+             on an AMD EPYC of family 26.\n",
         );
+        self.header(&["calls", "with AVX-512"]);
+        for (calls, ratio) in
+            [("TOTAL", "0.62"), ("TOTAL with derivatives", "0.53"), ("STRIP", "0.60")]
+        {
+            self.row([calls, ratio]);
+        }
+        self.line("");
         let mut header = vec!["model".to_owned(), "precision".to_owned()];
         for set in [Set::Spin, Set::Mixed] {
             header.push(format!("{}: loop", title(set)));
@@ -528,7 +449,65 @@ impl Report {
     }
 }
 
+/// The rows of the picture, from the page of an earlier run.
+fn rows_of_page() -> Vec<Row> {
+    let page = std::fs::read_to_string(root().join(PAGE)).unwrap_or_default();
+    let cells = |line: &str| -> Vec<String> {
+        line.trim_matches('|').split('|').map(|cell| cell.trim().to_owned()).collect()
+    };
+    let number = |cell: &str| -> f64 {
+        cell.split(' ').next().and_then(|word| word.parse().ok()).unwrap_or(f64::NAN)
+    };
+    let figures = |cell: &str| {
+        let [mean, p95, max] = [0, 1, 2].map(|i| number(cell.split(" / ").nth(i).unwrap_or("")));
+        reference::Figures { mean, p95, max }
+    };
+    let row = |name: &str, how: How, time: f64, wrong: Wrong| Row {
+        name: name.to_owned(),
+        precision: "f64",
+        how,
+        set: Set::Spin,
+        wrong,
+        calls: Box::new(|| ()),
+        count: 1,
+        times: vec![time],
+    };
+    let table = |heading: &str| {
+        let after = page.split(heading).nth(1).unwrap_or_default();
+        let lines = after.lines().skip_while(|line| !line.contains("| precision |")).skip(2);
+        let lines = lines.take_while(|line| line.starts_with('|'));
+        lines.map(cells).collect::<Vec<_>>()
+    };
+    let mut rows = vec![];
+    for cells in table(EVERY) {
+        let how = match cells[1].as_str() {
+            "" => How::Solve,
+            how if how == manner(How::Solve) => How::Solve,
+            how if how == manner(How::Prepared) => How::Prepared,
+            _ => continue,
+        };
+        if cells[2] == "f64" {
+            let wrong = Wrong { force: figures(&cells[10]), slope: figures(&cells[11]) };
+            rows.push(row(&cells[0], how, number(&cells[4]), wrong));
+        }
+    }
+    for cells in table(BATCHED).iter().filter(|cells| cells[1] == "f64") {
+        let wrong = rows.iter().find(|row| row.name == cells[0]).map(|row| row.wrong);
+        let wrong = wrong.expect("the errors of a model");
+        rows.push(row(&cells[0], How::Batch(100), number(&cells[4]), wrong));
+    }
+    rows
+}
+
+fn draw(report: &Report) -> Drawn {
+    let marks: Vec<Mark> = report.rows.iter().filter_map(|row| report.mark(row)).collect();
+    plot::draw(&root().join("docs/evidence/speed-vs-error.svg"), &marks)
+}
+
 fn main() -> Drawn {
+    if std::env::args().nth(1).as_deref() == Some("picture") {
+        return draw(&Report { rows: rows_of_page(), text: String::new() });
+    }
     let print = std::env::args().nth(1).as_deref() == Some("print");
     let machine = machine();
     let mut report = Report { rows: calls::rows(), text: String::new() };
@@ -546,16 +525,14 @@ fn main() -> Drawn {
     bar.finish_and_clear();
     report.introduction(&machine);
     report.fastsim();
-    report.wanted();
     report.batches();
     report.everything();
     if print {
         print!("{}", report.text);
         return Ok(());
     }
-    let marks: Vec<Mark> = report.rows.iter().filter_map(|row| report.mark(row)).collect();
-    std::fs::write(root().join("docs/evidence/speed-vs-error.md"), &report.text)?;
-    plot::draw(&root().join("docs/evidence/speed-vs-error.svg"), &marks)?;
+    std::fs::write(root().join(PAGE), &report.text)?;
+    draw(&report)?;
     println!("wrote docs/evidence/speed-vs-error.md and docs/evidence/speed-vs-error.svg");
     Ok(())
 }
