@@ -47,11 +47,11 @@ say "| features | functions | everything | \`kstrip_evaluate_f32\` | \`kstrip_so
 say "|---|---:|---:|---:|---:|---:|"
 awk '{ gsub(",", ", ", $1); printf "| %s | %s | %s | %s | %s | %s |\n", $1, $2, $3, $4, $5, $6 }' "$out/choices.txt"
 say
-say "*Flash* is that of a program of this function alone, with all models in the library and with TOTAL alone. *Stack* is the deepest path through the calls of the function, from the disassembly (\`scripts/stack_bound.awk\`): for any model, any strip count, any input. A question mark: a call through a pointer, to the function's own closure, is not followed. *Fewest*, *median* and *most* are instructions over $cases inputs (\`cases.h\`). *Cycles* are estimated: the median of the instructions, divisions and square roots counted 14 times. *prepared* leaves out kstrip_prepare_f32. Everything f32 has $(size all 3) bytes of data."
+say "*Flash* is the size of a program that calls only this function, with all models in the library and with TOTAL alone. *Stack* is the deepest path through the calls of the function, from the disassembly (\`scripts/stack_bound.awk\`). It holds for any model, any strip count and any input. A question mark means that a call through a pointer, to the function's own closure, is not followed. *Fewest*, *median* and *most* are instructions for $cases inputs (\`cases.h\`). *Cycles* are estimated from the median of the instructions, with 14 cycles for a division or a square root. *prepared* leaves out kstrip_prepare_f32. Everything f32 has $(size all 3) bytes of data."
 say
 say "No figure of flash, stack and median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
 say
-say "The loop of \`twin_disc.c\` (STRIP with 8 strips; load, creepage, forces with derivatives, the estimate of friction and the creepage of the limit by eight solutions), and its fit of 50 points once a second (TOTAL):"
+say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and the creepage of the limit by eight solutions. A fit of 50 points with TOTAL runs once a second."
 say
 say "| | most instructions | cycles | µs at 168 MHz |"
 say "|---|---:|---:|---:|"
@@ -62,7 +62,7 @@ sed -n 's/^# most instructions: \([0-9]*\) of a period, \([0-9]*\) of a fit$/\1 
     { printf "| a period of 1 ms | %d | %d | %.0f |\n", $1, $1 * strip, $1 * strip / 168
       printf "| a fit | %d | %d | %.0f |\n", $2, $2 * total, $2 * total / 168 }'
 say
-say "riscv32imac, floating point by software (medians of 100 inputs): ${riscv_sizes:-$riscv_says}."
+say "For riscv32imac, with floating point by software, medians are of 100 inputs. Sizes: ${riscv_sizes:-$riscv_says}."
 if [ -n "${riscv_sizes:-}" ]; then
     say
     say "| call on riscv32imac | fewest | median | most | painted stack [bytes] |"
