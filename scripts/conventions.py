@@ -81,7 +81,7 @@ def contact(folder):
     p.text((208, 238), "force on the lower body", VERMILION, size=14)
     p.text((20, 325), "creepage = (velocity of the upper body", BLUE)
     p.text((20, 345), "- velocity of the lower body) / rolling speed", BLUE)
-    p.text((20, 375), "A positive creepage gives a positive force.", VERMILION)
+    p.text((20, 375), "A positive creepage causes a positive force.", VERMILION)
 
     centre = (600, 190)
     p.text((430, 22), "From above, z points away from you", bold=True)
@@ -192,7 +192,7 @@ def wheel(folder):
     p.arrow(centre, (840, 215), INK)
     p.text((832, 206), "y")
     p.turn(centre, 140, -90, -75, PURPLE)
-    p.text((736, 84), "yaw: from x to y", PURPLE)
+    p.text((724, 84), "yaw: from x to y", PURPLE)
     p.arrow((600, 400), (600, 300), GREEN)
     p.text((612, 412), "forward > 0", GREEN)
     p.turn((560, 300), 30, 200, 350, GREEN, 0.55)
@@ -247,13 +247,15 @@ def gauge(folder):
 
     for x in (176, 684):
         p.line((x, 110), (x, 168), VERMILION, 1, True)
-    size(176, 684, 160, "back_to_back 1360 mm", VERMILION)
+    size(176, 684, 160, "back_to_back 1360 mm", VERMILION, 300)
     for x in (153, 707):
         p.line((x, 242), (x, 278), BLUE, 1, True)
-    size(153, 707, 272, "gauge 1435 mm, 14 mm below the top of the rails", BLUE)
+    size(153, 707, 272, "gauge 1435 mm", BLUE, 300)
+    p.text((300, 292), "14 mm below the top of the rails", BLUE, "middle")
     p.line((738, 100), (738, 370), GREEN, 1, True)
     size(684, 738, 200, "70 mm", GREEN, 648)
-    size(430, 738, 352, "running circle (y = 0 of the wheel) at 750 mm", GREEN, 584)
+    size(430, 738, 352, "running circle at 750 mm", GREEN)
+    p.text((584, 372), "y = 0 of the wheel", GREEN, "middle")
     p.arrow((40, 340), (110, 340), INK)
     p.text((116, 345), "y")
     p.arrow((40, 340), (40, 390), INK)
