@@ -1,8 +1,8 @@
 #!/bin/sh
 # Draws every picture in docs/: the conventions, figures of the paper, of the tour and of the cookbook, the accuracy
-# report with its maps, the patches, the report of speed against error (its times are those of this
-# machine), the browser demo (in Chromium), the page on
-# Python (with matplotlib; PYTHON names another Python).
+# report with its maps, the patches, the reports of speed against error of a contact (its times are
+# those of this machine) and of a wheel (with valgrind), the browser demo (in Chromium), the page
+# on Python (with matplotlib; PYTHON names another Python).
 #
 #     scripts/pictures.sh
 set -eu
@@ -11,6 +11,7 @@ cargo bench --quiet --locked --bench accuracy
 cargo bench --quiet --locked --bench figures
 cargo bench --quiet --locked --bench patches
 cargo bench --quiet --locked --bench speed
+cargo bench --quiet --locked --bench wheels
 sh scripts/web.sh
 "${PYTHON:-python3}" tests/web/page.py --picture docs/figures/page.png
 sh scripts/library.sh

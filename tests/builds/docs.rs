@@ -502,7 +502,7 @@ fn one_command_draws_every_picture() {
             .map(|p| root().join(p)),
     );
     let sources: String = programs.iter().map(read).collect();
-    for command in ["accuracy", "figures", "patches", "speed"] {
+    for command in ["accuracy", "figures", "patches", "speed", "wheels"] {
         assert!(read("scripts/pictures.sh").contains(&format!("--bench {command}\n")), "{command}");
     }
     assert!(read("scripts/pictures.sh").contains("bindings/python/pictures.py"));
