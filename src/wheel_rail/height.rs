@@ -3,8 +3,8 @@
 //! The search begins above the rail, wherever the wheel was, so that of several heights it finds
 //! the first. It lowers the wheel until the surfaces touch, and then follows the force to the power
 //! 2/3, which is nearly linear for Hertz's contacts: by secants between heights of like stiffness,
-//! else by Newton's steps, always between a height with less than the requested force and one with
-//! more; by halvings after steps that do not lead closer.
+//! corrected as the stiffness changes, else by Newton's steps, always between a height with less
+//! than the requested force and one with more; by halvings after steps that do not lead closer.
 //! It ends where the force is accurate to rounding: to that of the force, or to that of the points
 //! of the profiles.
 //!

@@ -9,6 +9,8 @@ const SLOW_SHARE: f64 = 0.5;
 const EMPTY: u32 = 2;
 /// Quotient of two stiffnesses from which another contact begins between the heights.
 const STIFFER: f64 = 2.0;
+/// Largest change of a secant's slope by the bend of the force, as a share of it.
+const BEND: f64 = 0.5;
 
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
@@ -63,8 +65,13 @@ impl<F: Float> Heights<F> {
             let [less, more] = [own.min(*slope), own.max(*slope)];
             more < less.times(STIFFER)
         };
-        let secant =
-            before.filter(is_alike).map(|((place, more), _)| (excess - more) / (height - place));
+        // f ≈ f₀ + (h − h₀) (f₀₁ + (h − h₁) f''/2): f₀₁ of the secant, f'' of Hertz's slopes
+        let secant = before.filter(is_alike).map(|((place, more), other)| {
+            let secant = (excess - more) / (height - place);
+            let bend = (own - other) / (height - place).times(2.0);
+            let bend = bend * (height - excess / secant - place);
+            if bend.abs() < secant.abs().times(BEND) { secant + bend } else { secant }
+        });
         let slope = secant.or(by_hertz).filter(|slope| *slope > F::zero());
         let is_slow = excess.abs() > earlier.times(SLOW_SHARE);
         let is_between = self.above.is_some() && self.too_low().is_some();
