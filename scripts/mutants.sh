@@ -11,7 +11,7 @@
 # programs run one after the other until one of them fails. Survivors that tests/mutants.txt explains
 # are called equivalent.
 #
-# Exit status: 0 all are killed (of random ones 92 per cent), 1 some survive or are stale, 77 a tool
+# Exit status: 0 all are killed (of random ones 95 per cent), 1 some survive or are stale, 77 a tool
 # is missing.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -143,7 +143,9 @@ def at_random():
         print(f"left out, because without a change it does not pass: {program}")
     if not programs:
         sys.exit("nothing to kill with")
-    for number, path, row, start, end, new in chosen:
+    for tried, (number, path, row, start, end, new) in enumerate(chosen):
+        if tried and not tried % 10:
+            print(f"{tried} of {len(chosen)} tried, {survivors} survive", file=sys.stderr, flush=True)
         if not any(kills(number, program) for program in programs):
             line, file = sources[path].split("\n")[row], path.relative_to(copy / "src")
             change = f"{line[:start].strip()} [[{line[start:end]}]]{line[end:]} ; {new.format(line[start:end])}"
@@ -152,7 +154,7 @@ def at_random():
             known += reason is not None
             print(f"{'equivalent' if reason else 'survives'}: {file}:{row + 1} ; {change}{' ; ' + reason if reason else ''}", flush=True)
     print(f"{len(chosen)} random changes of seed {given.seed}, {len(chosen) - survivors} killed, {survivors} survive, {known} of them known to be equivalent")
-    sys.exit(0 if survivors * 100 <= len(chosen) * 8 else 1)
+    sys.exit(0 if survivors * 100 <= len(chosen) * 5 else 1)
 
 
 binaries, longest = {}, {}
