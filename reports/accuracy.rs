@@ -701,8 +701,8 @@ fn histogram(path: &Path, title: &str, rows: &[(&str, &[f64], RGBColor)]) -> Dra
             }
         }
         let below = 62.0 + step * (rows.len() - 1) as f64 + height + 34.0;
-        let text = "error of the force |f − f_ref| / (μ N), share of the cases; first bar: all \
-             below 0.0001; black line: mean, grey: 95 %";
+        let text = "error |f − f_ref| / (μ N); first bar: all below 0.0001; black line: mean, \
+                    grey: 95 %";
         write(canvas, text, (left + 0.5 * width, below), 13, Align::Centre, INK)
     })
 }
@@ -760,7 +760,7 @@ fn maps(
             let below = y0 + rows * cell_height;
             for (column, label) in map.columns.iter().enumerate() {
                 let x = x0 + (column as f64 + 0.5) * cell_width;
-                write(canvas, label, (x, below + 11.0), 12, Align::Centre, INK)?;
+                write(canvas, label, (x, below + 11.0), 11, Align::Centre, INK)?;
             }
             let middle = x0 + 0.5 * columns * cell_width;
             write(canvas, across, (middle, below + 31.0), 13, Align::Centre, INK)?;
@@ -890,7 +890,7 @@ fn field_picture(path: &Path) -> Drawn {
     picture(path, (2 * 320 + 40, 1064), |canvas| {
         write(
             canvas,
-            "Traction along the strip y ≈ 0.4 b, in μ p0: along rolling (above), lateral (below)",
+            "Traction at y ≈ 0.4 b [μ p0]: along rolling, lateral below",
             (40.0, 22.0),
             17,
             Align::Left,
@@ -950,7 +950,7 @@ fn field_picture(path: &Path) -> Drawn {
         let mut y = 1014.0;
         write(canvas, "x/a, rolling to the right", (40.0, y), 13, Align::Left, INK)?;
         let mut x = 260.0;
-        for (ink, text) in [(VERMILION, "STRIP"), (GREEN, "STRIP_1967"), (GREY, "friction bound")] {
+        for (ink, text) in [(VERMILION, "STRIP"), (GREEN, "STRIP_1967"), (GREY, "bound")] {
             line(canvas, &[(x, y), (x + 26.0, y)], ink, 2.0)?;
             write(canvas, text, (x + 32.0, y), 13, Align::Left, INK)?;
             x += 150.0;

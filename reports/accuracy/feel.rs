@@ -259,7 +259,7 @@ impl Report {
             dot(canvas, (x + 8.0, y), 3.2, INK, true)?;
             write(
                 canvas,
-                "CONTACT (derivative: between two points)",
+                "CONTACT (derivative: differences)",
                 (x + 20.0, y),
                 13,
                 Align::Left,

@@ -43,7 +43,8 @@ pub fn write(
         Align::Centre => HPos::Center,
         Align::Right => HPos::Right,
     };
-    let style = TextStyle::from(("sans-serif", size * SCALE).into_font())
+    // plotters writes four fifths of a size
+    let style = TextStyle::from(("sans-serif", size * SCALE * 5 / 4).into_font())
         .color(&ink)
         .pos(Pos::new(side, VPos::Center));
     canvas.draw(&Text::new(text.to_owned(), place(at), style))?;

@@ -36,7 +36,7 @@ const SIZE: u32 = 11;
 
 /// Where a label goes: the place near its point that covers least of the labels and points before.
 fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
-    let (width, height) = (5.7 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
+    let (width, height) = (6.2 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
     let mut best = ([0.0; 4], f64::INFINITY);
     for gap in [9.0, 16.0, 24.0, 34.0, 46.0, 60.0] {
         for step in 0..24 {
@@ -131,16 +131,16 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             Axis::logarithmic(0.02, 0.6, &[0.03, 0.1, 0.3]),
         ),
     ];
-    picture(path, (632, 1220), |canvas| {
+    picture(path, (760, 1300), |canvas| {
         let title = "Error against CONTACT, by cost: forces of one contact";
         write(canvas, title, (56.0, 20.0), 17, Align::Left, INK)?;
         for (which, (title, y)) in panels.iter().enumerate() {
             let plot = Plot {
                 left: 56.0,
-                top: 66.0 + 550.0 * which as f64,
-                width: 520.0,
-                height: 470.0,
-                x: Axis { low: 4.0, high: 4e4, logarithmic: true, ticks: ticks.clone() },
+                top: 66.0 + 590.0 * which as f64,
+                width: 660.0,
+                height: 510.0,
+                x: Axis { low: 2.5, high: 4e4, logarithmic: true, ticks: ticks.clone() },
                 y: y.clone(),
             };
             panel(canvas, &plot, marks, which)?;
@@ -158,7 +158,7 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
             "FaStrip 50x50 and Vermeulen-Johnson.",
         ];
         for (k, text) in legend.iter().enumerate() {
-            write(canvas, text, (56.0, 1148.0 + 18.0 * k as f64), 12, Align::Left, INK)?;
+            write(canvas, text, (56.0, 1230.0 + 18.0 * k as f64), 12, Align::Left, INK)?;
         }
         Ok(())
     })
