@@ -130,9 +130,9 @@ impl<F: Float> PatchStrip<F> {
 
 /// Factors that turn a sum over the strips into the integral over the patch.
 ///
-/// They are 1 where the strips are the patch itself. The strips of an ellipse are a rule of Gauss,
+/// They are 1 if the strips are the patch itself. The strips of an ellipse are a rule of Gauss,
 /// whose sums differ slightly from the integrals; these two factors make the slopes of the linear
-/// theory exact.
+/// theory exact. Strips with another factor than 1 are a rule of Gauss.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuadratureScale<F> {
     /// For the area `∫ 2 l dy`.

@@ -74,10 +74,10 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
     let of_patch = view.sizes.widths;
     for (first, lobe, of_lobe) in view.lobes_and_zones() {
         let is_whole = lobe.len() == view.strips().len();
-        let alternates = of_patch.alternation > F::zero();
-        let widths = if alternates && !is_whole { Widths::of_strips(lobe) } else { of_patch };
+        let widths = if of_patch.alternate && !is_whole { Widths::of_rule(lobe) } else { of_patch };
         let (count, mut in_lobe) = (lobe.len(), false);
-        let alternating = widths.alternation.times(0.5);
+        let half = F::of(0.5);
+        let kinds = if widths.alternate { [F::zero(), F::one()] } else { [half; 2] };
         for (g, group) in lobe.chunks(8).enumerate() {
             let zero = T::zero();
             let none = StripCreepage { x: zero, y: zero, spread: zero, start: zero };
@@ -113,8 +113,8 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                 *creepage = found
                     .distribution
                     .strip(&model.units.geometry(strip, strip.width * widths.per_mean));
-                let is_inner = i.min(count - 1 - i) % 2 == 1;
-                *inner = (if is_inner { alternating } else { -alternating }).plus(0.5);
+                let [outermost, next] = kinds;
+                *inner = if i.min(count - 1 - i) % 2 == 1 { next } else { outermost };
             }
             for (k, (strip, own)) in group.iter().zip(eight_strips(&creepages, inner)).enumerate() {
                 let of_zone = which.get(k).and_then(|which| shifts.get(*which));

@@ -62,7 +62,8 @@ pub(super) struct Sizes<F> {
 }
 
 impl<F: Float> Sizes<F> {
-    pub fn new(strips: &[PatchStrip<F>], extremes: &Extremes<F>) -> Self {
+    /// `is_rule`: whether the strips are a rule of Gauss.
+    pub fn new(strips: &[PatchStrip<F>], extremes: &Extremes<F>, is_rule: bool) -> Self {
         let [leftmost, .., rearmost, _, _] = extremes.least;
         let [rightmost, widest, length, foremost, pressure, _] = extremes.most;
         let [widest, length, pressure] = [widest, length, pressure].map(|most| most.max(F::TINY));
@@ -78,7 +79,7 @@ impl<F: Float> Sizes<F> {
         let y = low.times(0.5) + high.times(0.5);
         let farthest = |least: F, most: F| most.max(-least).max(F::zero());
         let reach = farthest(leftmost, rightmost) + farthest(rearmost, foremost) + length;
-        let widths = Widths::new(strips, widest);
+        let widths = Widths::new(strips, widest, is_rule);
         Self { length, width, per_length, per_pressure, per_width, y, reach, widths }
     }
 }
@@ -89,36 +90,33 @@ pub(crate) struct Widths<F> {
     /// Reciprocal of the width of a strip: the mean weighted with width, which very narrow strips
     /// do not change \[1/m\].
     pub per_width: F,
-    /// The same number for most patches; for a rule of Gauss the reciprocal of the mean of the
-    /// strips \[1/m\].
+    /// The same number; for a rule of Gauss the reciprocal of the mean of the strips \[1/m\].
     pub per_mean: F,
-    /// 1 for a rule of Gauss, whose strips alternate between two kinds of nodes along their
-    /// lengths; 0 for strips of nearly equal width: each strip then has half of both kinds, so that
-    /// a strip added at the rim does not swap the kinds of all others.
-    pub alternation: F,
+    /// Whether the strips are a rule of Gauss, in which they alternate between two kinds of nodes
+    /// along their lengths. Other strips each have half of both kinds, so that a strip added at the
+    /// rim does not swap the kinds of all others.
+    pub alternate: bool,
 }
 
 impl<F: Float> Widths<F> {
-    pub(crate) fn of_strips(strips: &[PatchStrip<F>]) -> Self {
-        Self::new(strips, strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width)))
+    /// Those of a lobe of a rule of Gauss.
+    pub(crate) fn of_rule(strips: &[PatchStrip<F>]) -> Self {
+        let widest = strips.iter().fold(F::TINY, |widest, strip| widest.max(strip.width));
+        Self::new(strips, widest, true)
     }
 
     /// `widest` is the largest width.
-    fn new(strips: &[PatchStrip<F>], widest: F) -> Self {
-        let (mut count, mut sum, mut squares, mut wide) = (F::zero(), F::TINY, F::TINY, F::zero());
+    fn new(strips: &[PatchStrip<F>], widest: F, is_rule: bool) -> Self {
+        let (mut count, mut sum, mut squares) = (F::zero(), F::TINY, F::TINY);
         let per_widest = F::one() / widest;
         for strip in strips {
             let width = strip.width * per_widest;
             count += F::one();
             sum += width;
             squares += width * width;
-            wide += width * width.plus(-0.9).times(20.0).clamped(F::zero(), F::one());
         }
-        // Share of the width that the widest strips have: at most 0.66 in the rules of Gauss.
-        let alternation = (F::of(0.74) - wide / sum).times(12.5).clamped(F::zero(), F::one());
-        // The mean over the strips for a rule of Gauss, that weighted with width for other patches.
-        let (of_rule, of_others) = (count / sum, sum / squares);
-        let per_mean = (of_others + (of_rule - of_others) * alternation) * per_widest;
-        Self { per_width: of_others * per_widest, per_mean, alternation }
+        let per_width = sum / squares * per_widest;
+        let per_mean = if is_rule { count / sum * per_widest } else { per_width };
+        Self { per_width, per_mean, alternate: is_rule }
     }
 }

@@ -28,7 +28,7 @@ pub struct Patch<F> {
     /// Combined Poisson's ratio \[-\], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
     pub poisson_ratio: F,
     /// Factor \[-\], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the
-    /// patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0
+    /// patch's area: 1 unless the strips are the quadrature rule of kstrip_patch_from_contact(); 0
     /// stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
     pub area_scale: F,
     /// The same for the moment of the area about x, the sum of y^2 times area.

@@ -59,7 +59,9 @@ impl<'a, F: Float> PatchView<'a, F> {
         }
         Error::StripOrder.unless(are_beside)?;
         let mismatch = F::zero();
-        let (sizes, whole, of_lobes) = (Sizes::new(strips, &extremes), None, [None; LOBES]);
+        let is_rule = scale != QuadratureScale::default();
+        let sizes = Sizes::new(strips, &extremes, is_rule);
+        let (whole, of_lobes) = (None, [None; LOBES]);
         let mut view = Self {
             strips,
             shear_modulus,
