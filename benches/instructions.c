@@ -98,7 +98,7 @@ static void place(int shape)
     check(kstrip_prepare_profile(y, below, POINTS, 0, 0, &rail));
     check(kstrip_prepare_profile(y, bumps, POINTS, 0, 0, &wheel));
     load = shape == THREE_BOTTOMS ? 40e3 : 80e3;
-    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, &workspace, &position.vertical));
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, NULL, &workspace, &position.vertical));
 }
 
 /* callgrind sets its counter to zero on entry and writes it on return. */
@@ -138,7 +138,7 @@ void counted_calls(int kind, const kstrip_options *options)
             const kstrip_wheel_velocity velocity = {.forward = 20, .pitch = -(1 + creepages[i].longitudinal) * 20 / 0.46};
             if (kind == WHEEL_HEIGHT) {
                 double height;
-                check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, &workspace, &height));
+                check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, NULL, &workspace, &height));
             } else if (kind < WHEELSET)
                 check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench,
                                            kind == WHEEL_FORCES ? NULL : &slopes,

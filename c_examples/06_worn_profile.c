@@ -96,7 +96,7 @@ static kstrip_wheel_position loaded(double shift)
 {
     const kstrip_wheel_pair pair = steel(0.35);
     kstrip_wheel_position position = {.lateral = shift - offset};
-    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, 80e3, NULL, NULL, &workspace,
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, 80e3, NULL, NULL, NULL, &workspace,
                                  &position.vertical));
     return position;
 }

@@ -115,15 +115,16 @@ int main(int argc, char **argv)
     read_profile(folder, "uic60", 0.025, &rail);
     read_profile(folder, "s1002", 0, &wheel);
     const kstrip_wheel_pair pair = {.wheel_radius = radius, .shear_modulus = 82e9, .poisson_ratio = 0.28, .friction = 0.3, .strips = 16};
-    uint8_t *table;
-    const uint32_t bytes = fill_table(&pair, &table);
+    uint8_t *block;
+    const uint32_t bytes = fill_table(&pair, &block);
+    const kstrip_table table = {.data = block, .bytes = bytes};
 
     /* where a right wheel carries the load, by its lateral position: every 0.1 mm */
     enum { PLACES = 101 };
     double heights[PLACES];
     for (int k = 0; k < PLACES; k++) {
         const kstrip_wheel_position position = {.lateral = -15e-3 + 1e-4 * k};
-        check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, memory, &heights[k]));
+        check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, &table, memory, &heights[k]));
     }
     const double start = seconds();
     double power = 0, largest = 0;
@@ -147,7 +148,7 @@ int main(int argc, char **argv)
             kstrip_wrench wrench;
             kstrip_wrench_derivatives by_velocity;
             const kstrip_status status =
-                kstrip_wheel_on_table(table, bytes, &own, &position, &velocity, NULL, own_memory(), &wrench, &by_velocity, NULL);
+                kstrip_wheel_on_table(&table, &own, &position, &velocity, NULL, own_memory(), &wrench, &by_velocity, NULL);
             if (status == KSTRIP_ERROR_TABLE_RANGE) { /* the direct call takes over */
                 left_out++;
                 continue;
@@ -162,6 +163,6 @@ int main(int argc, char **argv)
     printf("friction takes %.1f kW, largest lateral force %.1f kN\n", 1e-3 * power, 1e-3 * largest);
     if (seconds() > 0)
         printf("%.2f times as fast as the train, by %d threads\n", 1e-3 * steps / (seconds() - start), threads);
-    free(table), free(memory);
+    free(block), free(memory);
     return EXIT_SUCCESS;
 }

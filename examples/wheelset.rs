@@ -84,7 +84,7 @@ fn wheelset<'a>(
     [right, left]: &'a [WheelPair<f64>; 2],
 ) -> Wheelset<'a, f64> {
     let law = Law { model: Model::Strip, falling: None };
-    let scene = |pair| Scene { rail, wheel, pair, strips: StripCount::Sixteen, law };
+    let scene = |pair| Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None };
     Wheelset {
         scenes: [scene(right), scene(left)],
         sides: [Side::right(HALF_WIDTH, HALF_GAUGE), Side::left(HALF_WIDTH, HALF_GAUGE)],

@@ -1411,7 +1411,7 @@ typedef struct kstrip_patch {
     double poisson_ratio;
     /**
      * Factor [-], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the
-     * patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0
+     * patch's area: 1 unless the strips are the quadrature rule of kstrip_patch_from_contact(); 0
      * stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
      */
     double area_scale;
@@ -2382,6 +2382,22 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
                                    struct kstrip_wrench_by_position *by_position);
 
 /**
+ * A finished contact table, from which a function takes the contacts of wheels
+ * (kstrip_table_finish()). All zero: no table.
+ */
+typedef struct kstrip_table {
+    /** The bytes of the table, at any address, else KSTRIP_ERROR_TABLE. */
+    const uint8_t *data;
+    /** Their number, or a larger one; else KSTRIP_ERROR_TABLE. */
+    uint32_t bytes;
+    /**
+     * 0: outside the table the contacts are computed from the profiles. Any other number:
+     * KSTRIP_ERROR_TABLE_RANGE there.
+     */
+    int32_t only;
+} kstrip_table;
+
+/**
  * kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
  * Several threads may each compute a part, with a workspace of their own.
  *
@@ -2398,6 +2414,7 @@ kstrip_status kstrip_wheel_on_rail(const struct kstrip_surface *rail,
  * @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
  * @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
  *                            constant.
+ * @param table           a contact table of all pairs; NULL: contacts are computed.
  * @param[out] wrenches   array of count elements; receives force and moment, and with them the
  *                        number of contacts.
  * @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -2424,6 +2441,7 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      uint32_t velocity_stride,
                                      const struct kstrip_friction *friction,
                                      uint32_t friction_stride,
+                                     const struct kstrip_table *table,
                                      struct kstrip_wheel_workspace *workspace,
                                      struct kstrip_wrench *wrenches,
                                      struct kstrip_wrench_derivatives *derivatives,
@@ -2442,11 +2460,13 @@ kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
  * @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
  *                        pressure carries all of it.
  * @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
+ * @param table           a contact table of the pair; NULL: contacts are computed.
  * @param workspace       memory that may hold anything; receives gap and contacts.
  * @param[out] vertical   receives the vertical position [m].
  * @return as kstrip_wheel_on_rail(); KSTRIP_WARNING_NOT_CONVERGED (no height carries the load to
  *         rounding); KSTRIP_WARNING_SUPPORT (no ordinary contact supports the wheel at this
- *         height); KSTRIP_ERROR_SUPPORT (support <= 0).
+ *         height); KSTRIP_ERROR_SUPPORT (support <= 0); with a table those of
+ *         kstrip_wheel_on_table().
  */
 kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,
@@ -2455,6 +2475,7 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
                                      double support,
                                      const struct kstrip_wheel_velocity *velocity,
                                      const struct kstrip_friction *friction,
+                                     const struct kstrip_table *table,
                                      struct kstrip_wheel_workspace *workspace,
                                      double *vertical);
 
@@ -2471,6 +2492,7 @@ kstrip_status kstrip_height_for_load(const struct kstrip_surface *rail,
  *                        pressure carries the load.
  * @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
  *                        constant.
+ * @param table           a contact table of all pairs; NULL: contacts are computed.
  * @param[out] verticals  array of count elements; receives the vertical positions [m].
  * @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
  *                        NULL: not needed.
@@ -2491,6 +2513,7 @@ kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
                                        uint32_t velocity_stride,
                                        const struct kstrip_friction *friction,
                                        uint32_t friction_stride,
+                                       const struct kstrip_table *table,
                                        struct kstrip_wheel_workspace *workspace,
                                        double *verticals,
                                        kstrip_status *statuses);
@@ -2648,10 +2671,10 @@ kstrip_status kstrip_table_finish(const struct kstrip_surface *rail,
 kstrip_status kstrip_table_check(const uint8_t *table, uint32_t bytes, uint32_t *length);
 
 /**
- * kstrip_wheel_on_rail() from a table. It has the same contacts; the gap is not computed. Force
- * and moment jump by up to 1e-4 of the load where a strip begins in a contact of few strips.
+ * kstrip_wheel_on_rail() from a table alone: it needs no profiles, and computes no gap. Force and
+ * moment are continuous inside the table.
  *
- * @param table, bytes    a finished table.
+ * @param table           a finished table; its member only does not matter.
  * @param pair            friction, side, model, damping, floor_speed and rail_speed. The radius,
  *                        the materials and the smoothing length are those of the table, the number
  *                        of strips is that of its spec, and the rail is straight.
@@ -2665,8 +2688,7 @@ kstrip_status kstrip_table_check(const uint8_t *table, uint32_t bytes, uint32_t 
  *         KSTRIP_ERROR_TABLE_UNFINISHED (it is begun only); KSTRIP_ERROR_TABLE_PAIR (another
  *         pair); an error of kstrip_wheel_on_rail() about its arguments.
  */
-kstrip_status kstrip_wheel_on_table(const uint8_t *table,
-                                    uint32_t bytes,
+kstrip_status kstrip_wheel_on_table(const struct kstrip_table *table,
                                     const struct kstrip_wheel_pair *pair,
                                     const struct kstrip_wheel_position *position,
                                     const struct kstrip_wheel_velocity *velocity,
@@ -2752,6 +2774,8 @@ typedef struct kstrip_wheelset {
     const struct kstrip_surface *wheel[2];
     /** Falling friction, as in kstrip_patch_evaluate(): right, left; NULL: constant. */
     const struct kstrip_friction *friction[2];
+    /** Contact tables of each wheel on its rail: right, left; NULL: contacts are computed. */
+    const struct kstrip_table *table[2];
     /**
      * Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
      * left wheel has all values of the right one. The member left is not used.
@@ -2880,7 +2904,7 @@ typedef struct kstrip_wheelset_by_position {
  * @param[out] by_position  receives derivatives with respect to the ten positions, as exact as
  *                        those of kstrip_wheel_on_rail(); NULL: not needed.
  * @return statuses of kstrip_wheelset and kstrip_track; as kstrip_wheel_on_rail() for each wheel,
- *         of two warnings the more serious.
+ *         of two warnings the more serious; with tables those of kstrip_wheel_on_table().
  */
 kstrip_status kstrip_wheelset_on_track(const struct kstrip_wheelset *set,
                                        const struct kstrip_track *track,

@@ -1367,6 +1367,14 @@ constexpr basic_wheel_velocity<T> wheel_velocity_of(const std::array<T, 6> &six)
             basic_radians_per_second<T>(six[3]), basic_radians_per_second<T>(six[4]), basic_radians_per_second<T>(six[5])};
 }
 
+/// A finished contact table, from which a function takes the contacts of wheels. See kstrip_table.
+struct table {
+    const std::uint8_t *data = nullptr;
+    std::uint32_t bytes = 0;
+    std::int32_t only = 0; ///< not 0: a position outside the table is an error; 0: its contacts are computed
+};
+KSTRIP_HPP_SAME(table, kstrip_table)
+
 /// Materials, friction (one number, or numbers at places y of the rail), side, strips, model.
 template <class T>
 struct basic_wheel_pair {
@@ -1633,13 +1641,13 @@ inline status table_check(const std::uint8_t *table, std::uint32_t bytes, std::u
 
 /// `law`: null if friction is constant; `slopes`, `by_position`: null if they are not needed.
 template <class T>
-status wheel_on_table(const std::uint8_t *table, std::uint32_t bytes, const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
+status wheel_on_table(const table &from, const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
                       const basic_wheel_velocity<T> &moves, const detail::only<basic_friction<T>> *law,
                       basic_wheel_workspace<T> &workspace, basic_wrench<T> &to,
                       detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
                       detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_wheel_on_table, table, bytes, &both, &where, &moves, law, &workspace, &to, slopes, by_position);
+    return KSTRIP_HPP_CALL(kstrip_wheel_on_table, &from, &both, &where, &moves, law, &workspace, &to, slopes, by_position);
 }
 
 namespace detail {
@@ -1672,6 +1680,7 @@ std::size_t largest(const Arrays &...arrays) noexcept
 
 /// Many wheels: `both`, `where` and `moves` have one element for all, or one for each of `to` and `statuses`.
 /// `contacts`: the same number of elements for each wheel, for its first contacts; empty: not needed.
+/// `from`: a contact table of all pairs; null: contacts are computed.
 template <class T>
 status wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                        detail::only<span<const basic_wheel_pair<T>>> both,
@@ -1681,31 +1690,31 @@ status wheels_on_rails(const basic_surface<T> &rail, const basic_surface<T> &whe
                        detail::only<span<basic_wrench<T>>> to, span<std::int32_t> statuses,
                        detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
                        detail::only<basic_wrench_by_position<T>> *by_position = nullptr,
-                       detail::only<span<basic_wheel_contact<T>>> contacts = {}) noexcept
+                       detail::only<span<basic_wheel_contact<T>>> contacts = {}, const table *from = nullptr) noexcept
 {
     const std::size_t count = to.size(), room = count ? contacts.size() / count : 0;
     if (!detail::fit(count, both, where, moves) || statuses.size() != count || contacts.size() != room * count)
         return status::error_capacity;
     return KSTRIP_HPP_CALL(kstrip_wheels_on_rails, &rail, &wheel, detail::capacity(count), both.data(),
                            detail::spacing(both), where.data(), detail::spacing(where), moves.data(),
-                           detail::spacing(moves), law, std::uint32_t{0}, &workspace, to.data(), slopes, by_position,
+                           detail::spacing(moves), law, std::uint32_t{0}, from, &workspace, to.data(), slopes, by_position,
                            room ? contacts.data() : nullptr, detail::capacity(room), statuses.data());
 }
 
-/// `moves`: the velocity of the wheel; null: the pressure carries the whole load.
+/// `moves`: the velocity of the wheel; null: the pressure carries the whole load. `from`: a contact table; null: contacts are computed.
 template <class T>
 status height_for_load(const basic_surface<T> &rail, const basic_surface<T> &wheel, const basic_wheel_pair<T> &both,
                        const basic_wheel_position<T> &where, detail::only<basic_newtons<T>> support,
                        const detail::only<basic_wheel_velocity<T>> *moves,
                        const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
-                       basic_metres<T> &to) noexcept
+                       basic_metres<T> &to, const table *from = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, moves, law, &workspace,
+    return KSTRIP_HPP_CALL(kstrip_height_for_load, &rail, &wheel, &both, &where, support, moves, law, from, &workspace,
                            &to);
 }
 
 /// Many heights: arrays have one element for all, or one for each of `to` and `statuses`. `moves`: empty: the pressure carries
-/// the whole load.
+/// the whole load. `from`: a contact table of all pairs; null: contacts are computed.
 template <class T>
 status heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &wheel,
                          detail::only<span<const basic_wheel_pair<T>>> both,
@@ -1713,7 +1722,7 @@ status heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &w
                          detail::only<span<const basic_newtons<T>>> supports,
                          detail::only<span<const basic_wheel_velocity<T>>> moves,
                          const detail::only<basic_friction<T>> *law, basic_wheel_workspace<T> &workspace,
-                         detail::only<span<basic_metres<T>>> to, span<std::int32_t> statuses) noexcept
+                         detail::only<span<basic_metres<T>>> to, span<std::int32_t> statuses, const table *from = nullptr) noexcept
 {
     const std::size_t count = to.size();
     const bool moving = moves.size() != 0;
@@ -1722,7 +1731,7 @@ status heights_for_loads(const basic_surface<T> &rail, const basic_surface<T> &w
     return KSTRIP_HPP_CALL(kstrip_heights_for_loads, &rail, &wheel, detail::capacity(count), both.data(),
                            detail::spacing(both), where.data(), detail::spacing(where), supports.data(),
                            detail::spacing(supports), moving ? moves.data() : nullptr, detail::spacing(moves), law,
-                           std::uint32_t{0}, &workspace, to.data(), statuses.data());
+                           std::uint32_t{0}, from, &workspace, to.data(), statuses.data());
 }
 
 #if defined(KSTRIP_HPP_EXCEPTIONS)
@@ -1866,13 +1875,13 @@ results<basic_wrench<T>> wheels_on_rails(const basic_surface<T> &rail, const bas
                                          detail::only<span<const basic_wheel_position<T>>> where,
                                          detail::only<span<const basic_wheel_velocity<T>>> moves,
                                          basic_wheel_workspace<T> &workspace,
-                                         const detail::only<basic_friction<T>> *law = nullptr)
+                                         const detail::only<basic_friction<T>> *law = nullptr, const table *from = nullptr)
 {
     const std::size_t count = detail::largest(both, where, moves);
     results<basic_wrench<T>> found(count);
     found.statuses = detail::each_status(count, [&](span<std::int32_t> statuses) {
         return wheels_on_rails<T>(rail, wheel, both, where, moves, law, workspace,
-                                  span<basic_wrench<T>>(found.data(), count), statuses);
+                                  span<basic_wrench<T>>(found.data(), count), statuses, nullptr, nullptr, {}, from);
     });
     return found;
 }
@@ -1899,8 +1908,8 @@ basic_metres<T> height_for_load(const basic_surface<T> &rail, const basic_surfac
                                 const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
                                 detail::only<basic_newtons<T>> support, basic_wheel_workspace<T> &workspace,
                                 const detail::only<basic_wheel_velocity<T>> *moves = nullptr,
-                                const detail::only<basic_friction<T>> *law = nullptr)
-KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to)
+                                const detail::only<basic_friction<T>> *law = nullptr, const table *from = nullptr)
+KSTRIP_HPP_THROWING(basic_metres<T>, height_for_load, rail, wheel, both, where, support, moves, law, workspace, to, from)
 
 /// A contact table that owns its memory: filled, or read from the bytes of a file.
 template <class T>
@@ -1931,12 +1940,15 @@ class basic_contact_table {
     /// The bytes, for a file.
     const std::vector<std::uint8_t> &bytes() const noexcept { return own; }
     const basic_table_report<T> &report() const noexcept { return measured; }
+    /// For functions that take contacts from a table. `only`: whether a position outside the table is an error; else its contacts
+    /// are computed.
+    table view(bool only = false) const noexcept { return {own.data(), detail::capacity(own.size()), only ? 1 : 0}; }
     /// The wrench alone. `law`: null if friction is constant.
     basic_wrench<T> wheel(const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
                           basic_wheel_workspace<T> &workspace, const basic_friction<T> *law = nullptr) const
     {
         basic_wrench<T> to{};
-        detail::check(wheel_on_table(own.data(), size(), both, where, moves, law, workspace, to));
+        detail::check(wheel_on_table(view(), both, where, moves, law, workspace, to));
         return to;
     }
     /// The wrench with its derivatives. `by_position`: whether to compute those with respect to the position too.
@@ -1945,13 +1957,12 @@ class basic_contact_table {
                                                      const basic_friction<T> *law = nullptr, bool by_position = false) const
     {
         basic_wheel_evaluation<T> to{};
-        detail::check(wheel_on_table(own.data(), size(), both, where, moves, law, workspace, to.wrench, &to.derivatives,
+        detail::check(wheel_on_table(view(), both, where, moves, law, workspace, to.wrench, &to.derivatives,
                                      by_position ? &to.by_position : nullptr));
         return to;
     }
 
   private:
-    std::uint32_t size() const noexcept { return detail::capacity(own.size()); }
     std::vector<std::uint8_t> own;
     basic_table_report<T> measured{};
 };
@@ -2015,6 +2026,7 @@ template <class T>
 struct basic_wheelset {
     const basic_surface<T> *wheel[2] = {};
     const basic_friction<T> *friction[2] = {}; ///< null: constant
+    const kstrip::table *table[2] = {};        ///< null: contacts are computed
     basic_wheel_pair<T> pair[2]{};
     basic_metres<T> back_to_back{}, running_circles{};
 };

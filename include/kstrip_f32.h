@@ -831,6 +831,7 @@ kstrip_status kstrip_wheels_on_rails_f32(const struct kstrip_surface_f32 *rail,
                                          uint32_t velocity_stride,
                                          const struct kstrip_friction_f32 *friction,
                                          uint32_t friction_stride,
+                                         const struct kstrip_table *table,
                                          struct kstrip_wheel_workspace_f32 *workspace,
                                          struct kstrip_wrench_f32 *wrenches,
                                          struct kstrip_wrench_derivatives_f32 *derivatives,
@@ -847,6 +848,7 @@ kstrip_status kstrip_height_for_load_f32(const struct kstrip_surface_f32 *rail,
                                          float support,
                                          const struct kstrip_wheel_velocity_f32 *velocity,
                                          const struct kstrip_friction_f32 *friction,
+                                         const struct kstrip_table *table,
                                          struct kstrip_wheel_workspace_f32 *workspace,
                                          float *vertical);
 
@@ -864,6 +866,7 @@ kstrip_status kstrip_heights_for_loads_f32(const struct kstrip_surface_f32 *rail
                                            uint32_t velocity_stride,
                                            const struct kstrip_friction_f32 *friction,
                                            uint32_t friction_stride,
+                                           const struct kstrip_table *table,
                                            struct kstrip_wheel_workspace_f32 *workspace,
                                            float *verticals,
                                            kstrip_status *statuses);
@@ -934,8 +937,7 @@ kstrip_status kstrip_table_finish_f32(const struct kstrip_surface_f32 *rail,
 kstrip_status kstrip_table_check_f32(const uint8_t *table, uint32_t bytes, uint32_t *length);
 
 /** kstrip_wheel_on_table() in single precision. */
-kstrip_status kstrip_wheel_on_table_f32(const uint8_t *table,
-                                        uint32_t bytes,
+kstrip_status kstrip_wheel_on_table_f32(const struct kstrip_table *table,
                                         const struct kstrip_wheel_pair_f32 *pair,
                                         const struct kstrip_wheel_position_f32 *position,
                                         const struct kstrip_wheel_velocity_f32 *velocity,
@@ -979,6 +981,7 @@ kstrip_status kstrip_curve_motion_f32(const struct kstrip_curve_f32 *curve,
 typedef struct kstrip_wheelset_f32 {
     const struct kstrip_surface_f32 *wheel[2];
     const struct kstrip_friction_f32 *friction[2];
+    const struct kstrip_table *table[2];
     struct kstrip_wheel_pair_f32 pair[2];
     float back_to_back;
     float running_circles;

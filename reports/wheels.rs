@@ -22,6 +22,7 @@ mod peers;
 mod pictures;
 
 use kstrip::ffi::double;
+use kstrip::ffi::types::kstrip_table;
 use kstrip::table::{TableSpec, fill_part, finish};
 use kstrip_testing::patch_reference::{number, rows_of};
 use kstrip_testing::prelude::*;
@@ -155,8 +156,7 @@ impl Stand {
         // SAFETY: as many bytes as said.
         let status = unsafe {
             double::kstrip_wheel_on_table(
-                table.as_ptr(),
-                table.len() as u32,
+                Some(&kstrip_table { data: table.as_ptr(), bytes: table.len() as u32, only: 0 }),
                 Some(&pair(0)),
                 Some(&state.position),
                 Some(&state.velocity),
@@ -251,17 +251,21 @@ impl Stand {
             };
             let position = Position { lateral, ..Position::default() };
             let mut vertical = MaybeUninit::zeroed();
-            let status = double::kstrip_height_for_load(
-                Some(&self.rail),
-                Some(&self.wheel),
-                Some(&pair(64)),
-                Some(&position),
-                load,
-                None,
-                None,
-                Some(&mut self.memory),
-                Some(&mut vertical),
-            );
+            // SAFETY: without a table nothing is read but these.
+            let status = unsafe {
+                double::kstrip_height_for_load(
+                    Some(&self.rail),
+                    Some(&self.wheel),
+                    Some(&pair(64)),
+                    Some(&position),
+                    load,
+                    None,
+                    None,
+                    None,
+                    Some(&mut self.memory),
+                    Some(&mut vertical),
+                )
+            };
             assert!(status >= 0, "{status}");
             // SAFETY: a number.
             let vertical = unsafe { vertical.assume_init() };
@@ -289,6 +293,7 @@ fn fill(stand: &mut Stand, strips: i32) -> Vec<u8> {
         pair: &pair,
         strips: StripCount::Sixteen,
         law: Law { model: Model::Strip, falling: None },
+        table: None,
     };
     let memory = &mut stand.memory;
     let [bytes, parts] = spec.size(&stand.wheel).expect("a size");
@@ -406,6 +411,7 @@ fn against_contact(stand: &mut Stand, way: Way, table: &[u8]) -> f64 {
             pair: &pair,
             strips: count(strips),
             law: Law { model: Model::Strip, falling: None },
+            table: None,
         };
         let support = number(&row, "support_N");
         let found = scene.height_for_load(&position, support, Some(&velocity), &mut stand.memory);

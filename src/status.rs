@@ -257,7 +257,8 @@ statuses! {
         KSTRIP_ERROR_TABLE_SPEC TableSpec = -83:
             "a range of a contact table is empty or negative, no lateral position of it has a \
              contact, there are too few nodes, the strips are not 12 to 32, or there is no such \
-             part";
+             part",
+            "pass ranges with contacts, and the parts that kstrip_table_size() counts";
         KSTRIP_ERROR_TABLE_RANGE TableRange = -84:
             "a position is outside the ranges of a contact table, or its load is above the \
              largest",

@@ -124,7 +124,7 @@ int main(void)
                               .friction = ${n(pair.friction)}, .left = ${pair.left}, .smoothing_length = ${n(pair.smoothing_length)}, .model = KSTRIP_MODEL_${v.m}};
     kstrip_wheel_position position = {.lateral = ${n(position.lateral)}, .yaw = ${n(position.yaw)}};
     kstrip_wheel_velocity velocity = {.forward = ${n(velocity.forward)}, .lateral = ${n(velocity.lateral)}, .pitch = ${n(velocity.pitch)}};
-    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, ${n(load)}, &velocity, NULL, &workspace, &position.vertical));
+    check(kstrip_height_for_load(&rail, &wheel, &pair, &position, ${n(load)}, &velocity, NULL, NULL, &workspace, &position.vertical));
     kstrip_wrench on_wheel;
     check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &on_wheel, NULL, NULL));
     printf("vertical %.17g m\\n", position.vertical);

@@ -92,7 +92,7 @@ const wheelView = {
             const text = library.message(status);
             if (status > 0 && !warnings.some((one) => one[1] === text)) warnings.push([name, text]);
         };
-        warn("Height", library.call("height_for_load", rail, wheel, pair, position, inputs.load, velocity, null, workspace, vertical));
+        warn("Height", library.call("height_for_load", rail, wheel, pair, position, inputs.load, velocity, null, null, workspace, vertical));
         warn("Wheel on rail", library.call("wheel_on_rail", rail, wheel, pair, position, velocity, null, workspace, wrench, null, null));
 
         const found = { wrench: library.read(wrench), position: library.read(position), warnings, inputs, contacts: [] };

@@ -608,6 +608,13 @@ module kstrip
       real(c_double) :: roll(6) = 0
    end type
 
+   !> A finished contact table, from which a function takes the contacts of wheels (kstrip_table_finish()).
+   type, bind(c) :: kstrip_table
+      type(c_ptr) :: data = c_null_ptr
+      integer(c_int32_t) :: bytes = 0
+      integer(c_int32_t) :: only = 0
+   end type
+
    !> Ranges of a contact table, and how many nodes it has.
    type, bind(c) :: kstrip_table_spec
       real(c_double) :: lateral_from = 0
@@ -647,6 +654,7 @@ module kstrip
    type, bind(c) :: kstrip_wheelset
       type(c_ptr) :: wheel(2) = c_null_ptr
       type(c_ptr) :: friction(2) = c_null_ptr
+      type(c_ptr) :: table(2) = c_null_ptr
       type(kstrip_wheel_pair) :: pair(2)
       real(c_double) :: back_to_back = 0
       real(c_double) :: running_circles = 0
@@ -1106,7 +1114,7 @@ module kstrip
 
       !> kstrip_wheel_on_rail() for many wheels with the same profiles: the same results, bit for bit.
       integer(c_int32_t) function kstrip_wheels_on_rails(rail, wheel, count, pairs, pair_stride, &
-         positions, position_stride, velocities, velocity_stride, friction, friction_stride, &
+         positions, position_stride, velocities, velocity_stride, friction, friction_stride, table, &
          workspace, wrenches, derivatives, by_position, contacts, room, statuses) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
@@ -1120,6 +1128,7 @@ module kstrip
          integer(c_int32_t), value :: velocity_stride
          type(kstrip_friction), intent(in), optional :: friction(*)
          integer(c_int32_t), value :: friction_stride
+         type(kstrip_table), intent(in), optional :: table
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          type(kstrip_wrench), intent(inout) :: wrenches(*)
          type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives(*)
@@ -1131,7 +1140,7 @@ module kstrip
 
       !> The vertical position at which the rail supports a wheel with a given force, to rounding.
       integer(c_int32_t) function kstrip_height_for_load(rail, wheel, pair, position, support, &
-         velocity, friction, workspace, vertical) bind(c)
+         velocity, friction, table, workspace, vertical) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
          type(kstrip_surface), intent(in) :: wheel
@@ -1140,6 +1149,7 @@ module kstrip
          real(c_double), value :: support
          type(kstrip_wheel_velocity), intent(in), optional :: velocity
          type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_table), intent(in), optional :: table
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: vertical
       end function
@@ -1147,7 +1157,7 @@ module kstrip
       !> kstrip_height_for_load() for many wheels with the same profiles: the same results, bit for bit.
       integer(c_int32_t) function kstrip_heights_for_loads(rail, wheel, count, pairs, pair_stride, &
          positions, position_stride, supports, support_stride, velocities, velocity_stride, &
-         friction, friction_stride, workspace, verticals, statuses) bind(c)
+         friction, friction_stride, table, workspace, verticals, statuses) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
          type(kstrip_surface), intent(in) :: wheel
@@ -1162,6 +1172,7 @@ module kstrip
          integer(c_int32_t), value :: velocity_stride
          type(kstrip_friction), intent(in), optional :: friction(*)
          integer(c_int32_t), value :: friction_stride
+         type(kstrip_table), intent(in), optional :: table
          type(kstrip_wheel_workspace), intent(inout) :: workspace
          real(c_double), intent(inout) :: verticals(*)
          integer(c_int32_t), intent(inout), optional :: statuses(*)
@@ -1224,12 +1235,11 @@ module kstrip
          integer(c_int32_t), intent(inout), optional :: length
       end function
 
-      !> kstrip_wheel_on_rail() from a table.
-      integer(c_int32_t) function kstrip_wheel_on_table(table, bytes, pair, position, velocity, &
-         friction, workspace, wrench, derivatives, by_position) bind(c)
+      !> kstrip_wheel_on_rail() from a table alone: it needs no profiles, and computes no gap.
+      integer(c_int32_t) function kstrip_wheel_on_table(table, pair, position, velocity, friction, &
+         workspace, wrench, derivatives, by_position) bind(c)
          import
-         integer(c_int8_t), intent(in) :: table(*)
-         integer(c_int32_t), value :: bytes
+         type(kstrip_table), intent(in) :: table
          type(kstrip_wheel_pair), intent(in) :: pair
          type(kstrip_wheel_position), intent(in) :: position
          type(kstrip_wheel_velocity), intent(in) :: velocity

@@ -557,7 +557,7 @@ static mxArray *height_for_load(int count, const mxArray *in[])
         if (moves) load(&velocity, sizeof velocity, moves, k);
         if (law) load(&friction, sizeof friction, law, k);
         note(&seen,
-             kstrip_height_for_load(rail, wheel, &pair, &position, support, moves ? &velocity : NULL, law ? &friction : NULL, &memory,
+             kstrip_height_for_load(rail, wheel, &pair, &position, support, moves ? &velocity : NULL, law ? &friction : NULL, NULL, &memory,
                                     mxGetPr(made) + k),
              k);
     }

@@ -323,7 +323,7 @@ static kstrip_status height_for_load(const kstrip_contact_f32 *c, const kstrip_c
     float vertical;
     (void)c;
     (void)k;
-    return kstrip_height_for_load_f32(&rail, &wheel, &wheel_pair, &position, 80e3f, NULL, NULL, &workspace, &vertical);
+    return kstrip_height_for_load_f32(&rail, &wheel, &wheel_pair, &position, 80e3f, NULL, NULL, NULL, &workspace, &vertical);
 }
 
 /* The timer's ticks during one call, those of an empty call included. */

@@ -246,6 +246,20 @@ pub struct ProfileOptions<F> {
     pub reserved: i32,
 }
 
+/// A finished contact table, from which a function takes the contacts of wheels
+/// (kstrip_table_finish()). All zero: no table.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct kstrip_table {
+    /// The bytes of the table, at any address, else KSTRIP_ERROR_TABLE.
+    pub data: *const u8,
+    /// Their number, or a larger one; else KSTRIP_ERROR_TABLE.
+    pub bytes: u32,
+    /// 0: outside the table the contacts are computed from the profiles. Any other number:
+    /// KSTRIP_ERROR_TABLE_RANGE there.
+    pub only: i32,
+}
+
 /// A track: two rails, and where they are. Axes: x forward, y to the right, z down; the middle of
 /// the track is midway between the gauge faces. Cant and inclination of the track are those of
 /// these axes; the inclination of the rails is in their profiles. Number 0 is the right side,
@@ -277,6 +291,8 @@ pub struct WheelsetParts<F> {
     pub wheel: [*const PreparedProfile<F>; 2],
     /// Falling friction, as in kstrip_patch_evaluate(): right, left; NULL: constant.
     pub friction: [*const SlipFriction<F>; 2],
+    /// Contact tables of each wheel on its rail: right, left; NULL: contacts are computed.
+    pub table: [*const kstrip_table; 2],
     /// Radius, materials, friction and options of each wheel; if the left wheel_radius is 0, the
     /// left wheel has all values of the right one. The member left is not used.
     pub pair: [WheelPair<F>; 2],

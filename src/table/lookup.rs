@@ -3,14 +3,13 @@
 //! 1. The numbers of the position at the places of the wheel are [blended](super::blend).
 //! 2. **A strip** is the part of the interval between two places in which the blended `l²` is
 //!    positive. Both squares are linear there, and the strip has their means. The intervals do not
-//!    move with the wheel's position, and a strip begins and ends with a width of zero. In a
-//!    contact of few strips its begin changes the mean width of all, and the force by up to 1e-4 of
-//!    the load.
+//!    move with the wheel's position, and a strip begins and ends with a width of zero.
 //! 3. **Contacts** are groups of zones of strips, as in the direct computation.
 //! 4. The pressures are multiplied by one factor, so that they support what the heights tell.
 
 use super::blend::Blend;
 use super::block::ContactTable;
+use crate::forces::Model;
 use crate::normal::crossings::Overlap;
 use crate::number::{Arithmetic, Float, Strips, at};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchStrip};
@@ -20,7 +19,7 @@ use crate::wheel_rail::contacts::groups::{Groups, Overlaps};
 use crate::wheel_rail::contacts::view::Place;
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::{CurvePoint, Piece};
-use crate::wheel_rail::scene::Workspace;
+use crate::wheel_rail::scene::{TableSource, Workspace};
 use crate::wheel_rail::touch::angle_of;
 use crate::wheel_rail::touch::line_of_contact::Wheel;
 use crate::wheel_rail::touch::roller::Over;
@@ -188,6 +187,30 @@ fn places_of<F: Float>(
         }
     }
     places
+}
+
+/// A finished table as the source of the contacts of a [`Scene`](crate::wheel_rail::scene::Scene).
+/// `only`: whether a position outside the table is [`Error::TableRange`]; else its contacts are
+/// computed.
+#[must_use]
+pub fn source<F: Float>(bytes: &[u8], only: bool) -> TableSource<'_, F> {
+    TableSource {
+        bytes,
+        only,
+        find: |bytes, pair, position, memory| {
+            let law = Law { model: Model::Strip, falling: None };
+            TableScene { table: ContactTable::new(bytes)?, pair, law }.place(position, memory)
+        },
+        solve: |bytes, (pair, law), state, memory, requested| {
+            let Requested { by_velocity, by_position } = requested;
+            let requested = Requested {
+                by_velocity: by_velocity.as_deref_mut(),
+                by_position: by_position.as_deref_mut(),
+            };
+            let scene = TableScene { table: ContactTable::new(bytes)?, pair, law };
+            scene.differentiate(state, memory, requested)
+        },
+    }
 }
 
 impl<F: Float> TableScene<'_, F> {

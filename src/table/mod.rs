@@ -9,6 +9,8 @@
 //! * [`fill_part`] computes its parts, in any order and on any threads.
 //! * [`finish`] makes it compact and measures its error.
 //! * [`TableScene`] gives contacts, force and moment for a position.
+//! * [`source`] puts a table into a [`Scene`](crate::wheel_rail::scene::Scene): heights, wheelsets
+//!   and many wheels then take their contacts from it.
 //!
 //! What is stored, and why zones of contact appear without a kink, tells `fill`; `axis` how numbers
 //! between nodes follow; `lookup` how contacts follow.
@@ -25,7 +27,7 @@ mod spec;
 
 pub use self::block::ContactTable;
 pub(crate) use self::block::{HEAD_START, head_length};
-pub use self::lookup::TableScene;
+pub use self::lookup::{TableScene, source};
 pub use self::measure::{TableReport, finish};
 pub use self::parts::fill_part;
 pub(crate) use self::parts::{fill_memory, memory_of_part};

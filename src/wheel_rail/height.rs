@@ -40,7 +40,7 @@ const STEEP: f64 = 0.1;
 
 /// Whether the wheel is too deep in the rail to have a force, or beside it.
 const fn is_too_deep(error: Error) -> bool {
-    matches!(error, Error::ProfileEnd | Error::Overflow | Error::PatchSize)
+    matches!(error, Error::ProfileEnd | Error::Overflow | Error::PatchSize | Error::TableRange)
 }
 
 impl<F: Float> Scene<'_, F> {
@@ -99,6 +99,7 @@ impl<F: Float> Scene<'_, F> {
                     // a profile ends as soon as the wheel touches
                     if tried == 1
                         && here <= touches
+                        && error != Error::TableRange
                         && let Some(touch) = self.below_edge(here, true, position, memory)?
                     {
                         (heights, touches, here) = (Heights::new(), touch, touch + expected);

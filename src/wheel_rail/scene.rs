@@ -44,6 +44,32 @@ pub struct Workspace<F> {
     pub reserved: u32,
 }
 
+/// Finds the contacts of a position in the bytes of a table.
+pub type FindInTable<F> =
+    fn(&[u8], &WheelPair<F>, &Position<F>, &mut Workspace<F>) -> Result<Warning, Error>;
+/// Computes the wrench, and the derivatives that are requested, from the bytes of a table.
+pub type SolveInTable<F> = fn(
+    &[u8],
+    (&WheelPair<F>, Law<'_, F>),
+    &BodyState<F>,
+    &mut Workspace<F>,
+    &mut Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
+) -> Result<Wrench<F>, Error>;
+
+/// A contact table in place of the normal problem. `kstrip::table` makes it from bytes.
+#[derive(Clone, Copy)]
+pub struct TableSource<'a, F> {
+    /// The bytes of a finished table.
+    pub bytes: &'a [u8],
+    /// Whether a position outside the table is [`Error::TableRange`]; else its contacts are
+    /// computed from the profiles.
+    pub only: bool,
+    /// The functions that read it.
+    pub find: FindInTable<F>,
+    /// The same.
+    pub solve: SolveInTable<F>,
+}
+
 /// Two surfaces, their materials, and the options of the computation.
 #[derive(Clone, Copy)]
 pub struct Scene<'a, F> {
@@ -57,6 +83,8 @@ pub struct Scene<'a, F> {
     pub strips: StripCount,
     /// The law of the creep forces.
     pub law: Law<'a, F>,
+    /// Where the contacts come from, if not from the profiles.
+    pub table: Option<TableSource<'a, F>>,
 }
 
 impl<'a, F: Float> Scene<'a, F> {
@@ -66,14 +94,31 @@ impl<'a, F: Float> Scene<'a, F> {
         GapSearch::of_pair(self.rail, self.wheel, self.pair, right)
     }
 
+    /// What a table has for a position; none without a table, and outside one that is not the only
+    /// source.
+    fn of_table<T>(
+        &self, read: impl FnOnce(TableSource<'a, F>) -> Result<T, Error>,
+    ) -> Result<Option<T>, Error> {
+        let Some(table) = self.table else { return Ok(None) };
+        match read(table) {
+            Err(Error::TableRange) if !table.only => Ok(None),
+            found => found.map(Some),
+        }
+    }
+
     /// Finds the contacts of a position.
     ///
     /// # Errors
-    /// Those of [`GapSearch::gap`](super::touch::GapSearch::gap) and [`contacts::from_gap`].
+    /// Those of [`GapSearch::gap`](super::touch::GapSearch::gap) and [`contacts::from_gap`]; those
+    /// of a table.
     pub fn place(
         &self, position: &Position<F>, memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
         let Self { wheel, pair, strips, .. } = *self;
+        let in_table = |table: TableSource<F>| (table.find)(table.bytes, pair, position, memory);
+        if let Some(warning) = self.of_table(in_table)? {
+            return Ok(warning);
+        }
         let Workspace { gap, strips: whole, contacts, count, reserved } = memory;
         pair.check()?;
         let right = position.mirrored(pair.left != 0);
@@ -126,6 +171,13 @@ impl<'a, F: Float> Scene<'a, F> {
             let warning = found.warning.worse(self.plausibility(memory.found()));
             Wrench { warning, ..found }
         };
+        let mut requested = requested;
+        let in_table = |table: TableSource<F>| {
+            (table.solve)(table.bytes, (self.pair, self.law), state, memory, &mut requested)
+        };
+        if let Some(found) = self.of_table(in_table)? {
+            return Ok(with_warning(found, memory));
+        }
         let Requested { by_velocity, by_position } = requested;
         let Some(slopes) = by_position else {
             let found = self.wrench(state, memory, by_velocity)?;

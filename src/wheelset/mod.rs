@@ -49,7 +49,8 @@
 //! };
 //! let left = WheelPair { left: 1, ..right };
 //! let law = Law { model: Model::Strip, falling: None };
-//! let scene = |pair| Scene { rail: &rail, wheel: &wheel, pair, strips: StripCount::Sixteen, law };
+//! let (strips, table) = (StripCount::Sixteen, None);
+//! let scene = |pair| Scene { rail: &rail, wheel: &wheel, pair, strips, law, table };
 //! // 0.75 m from the middle of the wheelset to the running circles, and of the track to the rails
 //! let sides = [Side::right(0.75, 0.75), Side::left(0.75, 0.75)];
 //! let wheelset = Wheelset { scenes: [scene(&right), scene(&left)], sides };

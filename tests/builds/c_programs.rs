@@ -744,7 +744,12 @@ fn rust_layouts() -> BTreeMap<String, usize> {
             key.split_once('.').map_or((&*key, ""), |(s, _)| (s, &key[s.len()..]));
         format!("{structure}_f32{member}")
     };
-    let single = single.into_iter().filter(|(key, _)| !key.contains(" kstrip_options"));
+    // Structures without numbers of either precision.
+    let is_shared = |key: &str| {
+        let name = key.split(['.', ' ']).nth(1);
+        ["kstrip_options", "kstrip_table"].map(Some).contains(&name)
+    };
+    let single = single.into_iter().filter(|(key, _)| !is_shared(key));
     let mut layouts = double;
     layouts.extend(single.map(|(key, number)| (named(key), number)));
     layouts.insert("size kstrip_status".to_owned(), size_of::<ffi::kstrip_status>());

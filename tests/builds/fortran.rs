@@ -3,10 +3,10 @@
 use kstrip_testing::header::{Function, Structure, Variable, declared};
 
 /// What is one object for all elements of a function that has an array of statuses.
-const FOR_ALL: [&str; 5] = ["rail", "wheel", "set", "track", "workspace"];
+const FOR_ALL: [&str; 6] = ["rail", "wheel", "set", "track", "table", "workspace"];
 
-/// Pointers by these names are arrays; other pointers are one object.
-const ARRAYS: &str = "table x y z contacts distance points strips \
+/// Pointers by these names, and those to bytes, are arrays; other pointers are one object.
+const ARRAYS: &str = "x y z contacts distance points strips \
     text counts turned_y turned_z \
     coefficients weight shifts differences amplitudes conicities wave_lengths";
 
@@ -152,8 +152,8 @@ fn function(header: &str, found: &Function) -> String {
             Some((target, written)) => {
                 let intent = if written { "inout" } else { "in" };
                 let many = names.contains(&"statuses") && !FOR_ALL.contains(&name.as_str());
-                let array =
-                    if many || ARRAYS.split(' ').any(|own| own == name) { "(*)" } else { "" };
+                let is_named = ARRAYS.split(' ').any(|own| own == name);
+                let array = if many || is_named || target == "uint8_t" { "(*)" } else { "" };
                 let optional = if may_be_null(argument) { ", optional" } else { "" };
                 format!(
                     "         {}, intent({intent}){optional} :: {name}{array}\n",

@@ -233,6 +233,12 @@ int main()
     const auto interpolated = again.wheel(pair, placed, moves, room, &wet);
     expect(same(interpolated, table.wheel_with_derivatives(pair, placed, moves, room, &wet).wrench), "contact_table: both forms");
     expect(std::abs(interpolated.force[2] / direct.force[2] - 1) < 0.02, "contact_table: load");
+    const kstrip::table from = again.view(true);
+    const kstrip::metres on_table = kstrip::height_for_load(rail, wheel, pair, placed, 80_kN, room, nullptr, nullptr, &from);
+    fine(kstrip::height_for_load(rail, wheel, pair, placed, 80_kN, nullptr, nullptr, room, height, &from), "height on a table");
+    expect(height == on_table && std::abs((on_table - placed.vertical) / 1_mm) < 2e-3, "height on a table: both forms");
+    const auto of_table = kstrip::wheels_on_rails<double>(rail, wheel, pairs, {&placed, 1}, {&moves, 1}, room, &wet, &from);
+    expect(of_table.size() == 1 && same(of_table[0], interpolated), "wheels_on_rails: from a table");
 
     // The wheelset of two such wheels
     kstrip::track track;

@@ -55,12 +55,13 @@ layouts! {
     kstrip_strip_power { wheel_y, width, normal_force, fx, fy, slip, power }
     kstrip_wheel_workspace { gap, strips, contacts, count, reserved }
     kstrip_wrench_by_position { lateral, vertical, yaw, roll }
+    kstrip_table { data, bytes, only }
     kstrip_table_spec { lateral_from, lateral_to, yaw, roll, load, lateral_nodes, levels,
         yaw_nodes, roll_nodes, strips, reserved }
     kstrip_table_report { force_usual, force_largest, load_usual, load_largest, bytes, poses,
         missing, empty }
     kstrip_curve { speed, curvature, cant, gravity }
-    kstrip_wheelset { wheel, friction, pair, back_to_back, running_circles }
+    kstrip_wheelset { wheel, friction, table, pair, back_to_back, running_circles }
     kstrip_rail_motion { lateral, vertical, lateral_velocity, vertical_velocity }
     kstrip_track { rail, gauge, gauge_depth, origin, motion }
     kstrip_wheelset_workspace { wheel }

@@ -65,7 +65,7 @@ static int height(void)
 {
     double found;
     position.lateral += offset;
-    return kstrip_height_for_load(of_rail(), of_wheel(), &pair, &position, support, NULL, NULL, &memory, &found);
+    return kstrip_height_for_load(of_rail(), of_wheel(), &pair, &position, support, NULL, NULL, NULL, &memory, &found);
 }
 
 static int wheel(void)
@@ -74,7 +74,7 @@ static int wheel(void)
     const kstrip_wheel_position middle = {offset, 0, 0, 0};
     double found;
     kstrip_wrench wrench;
-    kstrip_height_for_load(&profiles[0], &profiles[1], &good, &middle, 80e3, NULL, NULL, &memory, &found);
+    kstrip_height_for_load(&profiles[0], &profiles[1], &good, &middle, 80e3, NULL, NULL, NULL, &memory, &found);
     position.lateral += offset;
     if (position.vertical == 0)
         position.vertical = found;

@@ -149,7 +149,7 @@ static int height_for_load(void)
 {
     const kstrip_wheel_pair own = pair();
     double vertical;
-    return kstrip_height_for_load(&rail, &wheel, &own, &position, 80e3, &velocity, &law, &workspace,
+    return kstrip_height_for_load(&rail, &wheel, &own, &position, 80e3, &velocity, &law, NULL, &workspace,
                                   &vertical);
 }
 

@@ -139,7 +139,8 @@ impl Wheelset {
         let pair = WheelPair { left: i32::from(left), ..steel(0.46) };
         let Self { rail, wheel, memory } = self;
         let law = Law { model: Model::Strip, falling: None };
-        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law };
+        let scene =
+            Scene { rail, wheel, pair: &pair, strips: StripCount::Sixteen, law, table: None };
         let lateral = shift + side * (HALF_WIDTH * yaw.cos() * roll.cos() - HALF_GAUGE);
         let position = Position { lateral, yaw, roll, ..Position::default() };
         let velocity = Velocity { forward: SPEED, pitch, ..Velocity::default() };

@@ -9,5 +9,5 @@ pub use kstrip::ffi::single::{
     kstrip_prepare as kstrip_prepare_f32, kstrip_solve as kstrip_solve_f32,
     kstrip_solve_prepared as kstrip_solve_prepared_f32,
 };
-pub use kstrip::ffi::types::kstrip_options;
+pub use kstrip::ffi::types::{kstrip_options, kstrip_table};
 pub use kstrip::ffi::*;

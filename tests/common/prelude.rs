@@ -136,7 +136,7 @@ pub const STRIP: Law<f64> = Law { model: Model::Strip, falling: None };
 pub fn scene<'a>(
     rail: &'a PreparedProfile<f64>, wheel: &'a PreparedProfile<f64>, pair: &'a WheelPair<f64>,
 ) -> Scene<'a, f64> {
-    Scene { rail, wheel, pair, strips: StripCount::Sixteen, law: STRIP }
+    Scene { rail, wheel, pair, strips: StripCount::Sixteen, law: STRIP, table: None }
 }
 
 pub const fn placed([lateral, vertical, yaw, roll]: [f64; 4]) -> Position<f64> {

@@ -222,7 +222,7 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
             ..*pair
         };
         let law = Law { model: Model::Strip, falling: None };
-        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Eight, law };
+        let scene = Scene { rail, wheel, pair: &pair, strips: StripCount::Eight, law, table: None };
         let place = [from + 9e-3 * swing(i, 3), 0.0, 0.02 * swing(i, 4), 0.01 * swing(i, 5)];
         let [lateral, vertical, yaw, roll] = place.map(F::of);
         let place = Position { lateral, vertical, yaw, roll };
@@ -261,8 +261,14 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
     let law = Law { model: Model::Strip, falling: None };
     for i in 0..8 {
         let strips = StripCount::Eight;
-        let scenes =
-            [0, 1].map(|k| Scene { rail: &rail, wheel: &wheel, pair: &pairs[k], strips, law });
+        let scenes = [0, 1].map(|k| Scene {
+            rail: &rail,
+            wheel: &wheel,
+            pair: &pairs[k],
+            strips,
+            law,
+            table: None,
+        });
         let still = RailMotion::default();
         let sides = [(1.0, 6), (-1.0, 8)].map(|(sign, rail)| Side {
             arm: F::of(sign * 0.75),

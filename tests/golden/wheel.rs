@@ -90,7 +90,7 @@ impl<F: Bits> Stand<F> {
         let falling = law([1.0, 0.4, 0.6, 1.0, 0.7].map(F::of));
         let scene = |pair, model, falling| {
             let law = Law { model, falling };
-            Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }
+            Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None }
         };
         let strip = scene(pair, Model::Strip, None);
         let found = strip.height_for_load(&position, F::of(load), None, memory);

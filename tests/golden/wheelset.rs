@@ -52,7 +52,7 @@ impl<F: Bits> Two<F> {
     ) -> Wheelset<'a, F> {
         let law = Law { model: Model::Strip, falling };
         let Stand { rail, wheel, .. } = &self.stand;
-        let of = |pair| Scene { rail, wheel, pair, strips: StripCount::Sixteen, law };
+        let of = |pair| Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None };
         let [right, left] = &self.pairs;
         let motion = [0.1e-3, 20e-6, 1e-3, -2e-3].map(F::of);
         let [lateral, vertical, lateral_velocity, vertical_velocity] = motion;

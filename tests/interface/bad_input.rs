@@ -259,6 +259,11 @@ static uint8_t *table_REAL(int step)
     return memcpy(copy, tables[step], TABLE_BYTES);
 }
 
+static kstrip_table from_REAL(void)
+{
+    return (kstrip_table){table_REAL(2), TABLE_BYTES, 0};
+}
+
 static kstrip_trackSUFFIX track_REAL(void)
 {
     static kstrip_surfaceSUFFIX rail;
@@ -272,7 +277,7 @@ static kstrip_wheelsetSUFFIX set_REAL(void)
     static kstrip_surfaceSUFFIX wheel;
     wheel = wheel_REAL();
     const kstrip_wheelsetSUFFIX set = {
-        {&wheel, NULL}, {NULL, NULL}, {pair_REAL, {0}}, 0, (REAL)1.4696};
+        {&wheel, NULL}, {NULL, NULL}, {NULL, NULL}, {pair_REAL, {0}}, 0, (REAL)1.4696};
     return set;
 }
 ";

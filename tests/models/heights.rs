@@ -26,7 +26,7 @@ fn carried<F: Float>(
     memory: &mut Workspace<F>,
 ) -> (F, F, F) {
     let law = Law { model: Model::Strip, falling: None };
-    let scene = Scene { rail, wheel, pair, strips: StripCount::Sixteen, law };
+    let scene = Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None };
     let [lateral, vertical] = place.map(F::of);
     let position = Position { lateral, vertical, ..Position::default() };
     let (height, warning) = scene.height_for_load(&position, F::of(load), None, memory).unwrap();

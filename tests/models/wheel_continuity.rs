@@ -51,7 +51,7 @@ const NAMES: [&str; 5] = ["lateral", "vertical", "yaw", "roll", "smoothing lengt
 impl Over<'_> {
     fn scene(&self) -> Scene<'_, f64> {
         let Self { rail, wheel, pair, strips, .. } = self;
-        Scene { rail, wheel, pair, strips: *strips, law: STRIP }
+        Scene { rail, wheel, pair, strips: *strips, law: STRIP, table: None }
     }
 
     fn solve(&self, memory: &mut Workspace<f64>) -> Option<Wrench<f64>> {

@@ -216,7 +216,7 @@ fn derivatives_of_slight_pressures_are_those_of_double_precision() {
         let exact = stiffness(&exact, position.map(f64::from));
         let law = Law { model: Model::Strip, falling: None };
         let (rail, wheel) = (&narrow(&rail), &narrow(&wheel));
-        let scene = Scene { rail, wheel, pair: &narrow_pair, strips, law };
+        let scene = Scene { rail, wheel, pair: &narrow_pair, strips, law, table: None };
         let off = f64::from(stiffness(&scene, position)) / exact - 1.0;
         assert!(off.abs() < 8e-3, "{strips:?} {off:.1e}");
     }

@@ -51,7 +51,7 @@ impl Stand {
     pub(crate) fn split(&mut self) -> (Scene<'_, f64>, &mut Workspace<f64>) {
         let Self { rail, wheel, pair, model, falling, memory } = self;
         let law = Law { model: *model, falling: falling.as_ref() };
-        (Scene { rail, wheel, pair, strips: StripCount::Sixteen, law }, memory)
+        (Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None }, memory)
     }
 
     pub(crate) fn solve(
@@ -741,7 +741,7 @@ fn derivatives_by_depth_are_those_of_double_precision() {
     });
     let pair = single(&stand.pair);
     let (strips, law) = (StripCount::Sixteen, Law { model: Model::Strip, falling: None });
-    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips, law };
+    let scene = Scene { rail: &rail, wheel: &wheel, pair: &pair, strips, law, table: None };
     let mut memory = zeroed::<Workspace<f32>>();
     let (still, rolls) = ((0.0, 0.0), (20.0, -43.4));
     let young = [(5.97079, 177_443.0), (5.7775, 113_678.0), (5.47298, 44_318.0)];

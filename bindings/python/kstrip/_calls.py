@@ -250,11 +250,11 @@ class Elements:
         return found
 
     def run_many(self, name: str, shared: Sequence[Any], inputs: Sequence[str], structure: str, outputs: Callable[[int, int], Sequence[Any]],
-                 sweep: Sweep) -> list[int]:
+                 sweep: Sweep, further: Sequence[Any] = ()) -> list[int]:
         """Calls of a C function for many elements, one for each block of them, and the status of each element.
 
-        shared: the first arguments. inputs: the names of the arguments that follow the count. outputs(first, count): the arguments
-        between the workspace, which is a `structure`, and the statuses.
+        shared: the first arguments. inputs: the names of the arguments that follow the count. further: the arguments after them.
+        outputs(first, count): the arguments between the workspace, which is a `structure`, and the statuses.
         """
         function, found = function_of(name, self.single), np.zeros(count_of(self.count), np.int32)
         arrays = [self._begin(each) for each in inputs]
@@ -264,7 +264,7 @@ class Elements:
             count = len(place)
             given = [word for begin, stride in arrays for word in (begin and begin + first * stride, stride)]
             space = memory.of(structure, self.single)
-            status = function(*shared, count, *given, space.address, *outputs(first, count), place.ctypes.data)
+            status = function(*shared, count, *given, *further, space.address, *outputs(first, count), place.ctypes.data)
             if status < 0 <= place.min():
                 raise KstripError(status)
             return count

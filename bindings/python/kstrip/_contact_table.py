@@ -14,7 +14,7 @@ from ._files import Path
 from ._inputs import Many, is_single, number, one
 from ._library import function_of
 from ._status import KstripError
-from ._wheel import PreparedProfile, WheelOnRail, prepared
+from ._wheel import PreparedProfile, WheelOnRail, prepared, structure_of
 from .values import Friction, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
 
 #: Parts that one call fills
@@ -30,6 +30,8 @@ class ContactTable:
     strips: in 8 mm of a contact, 12 to 32.
     poses: at how many positions the error is measured. threads, progress: as in solve().
 
+    only: whether a position outside the table is an error in functions that take a table; False: its contacts are computed there.
+
     raw: the bytes of the table, as every language has them. report: with which it was made; None for one that was read: its length, and the error
     `force_usual`, `force_largest` of the horizontal force over friction times load, `load_usual`, `load_largest` of the load over itself.
 
@@ -43,14 +45,15 @@ class ContactTable:
     -3.8 kN
     """
 
-    __slots__ = ("raw", "report")
+    __slots__ = ("only", "raw", "report")
 
+    only: bool
     raw: bytes
     report: Optional[dict[str, float]]
 
     def __init__(self, rail: PreparedProfile, wheel: PreparedProfile, pair: WheelPair, lateral: tuple[float, float], load: float, yaw: float = 0.0,
                  roll: float = 0.0, lateral_nodes: int = 0, levels: int = 0, yaw_nodes: int = 0, roll_nodes: int = 0, strips: int = 16, poses: int = 500,
-                 threads: int = 1, progress: bool = False):
+                 threads: int = 1, progress: bool = False, only: bool = False):
         sweep, single = sweep_of(threads, progress), is_single(rail)
         spec = zeros("table_spec", single)
         ends = [number(end, "lateral") for end in lateral]
@@ -82,14 +85,15 @@ class ContactTable:
         call("kstrip_table_finish", single, *given, poses, memory.of("wheel_workspace", single).address, place, length, report)
         names = report.dtype.names or ()
         self.raw, self.report = bytes(made[: int(report["bytes"])]), {name: report[name].item() for name in names}
+        self.only = only
 
     @classmethod
-    def of_bytes(cls, raw: bytes) -> ContactTable:
+    def of_bytes(cls, raw: bytes, only: bool = False) -> ContactTable:
         """The table of these bytes. KstripError if they are damaged, or not those of a table."""
         length = np.zeros((), np.uint32)
         call("kstrip_table_check", False, bytes(raw), len(raw), length)
         made = cls.__new__(cls)
-        made.raw, made.report = bytes(raw[: int(length)]), None
+        made.raw, made.report, made.only = bytes(raw[: int(length)]), None, only
         return made
 
     def save(self, path: Path) -> None:
@@ -97,9 +101,9 @@ class ContactTable:
         pathlib.Path(path).write_bytes(self.raw)
 
     @classmethod
-    def read(cls, path: Path) -> ContactTable:
+    def read(cls, path: Path, only: bool = False) -> ContactTable:
         """The table in a file. KstripError if it is damaged, or not that of a table."""
-        return cls.of_bytes(pathlib.Path(path).read_bytes())
+        return cls.of_bytes(pathlib.Path(path).read_bytes(), only)
 
     def wheel(self, pair: Many[WheelPair], position: Many[WheelPosition], velocity: Many[WheelVelocity],
               friction: Optional[Many[Friction]] = None, by_position: bool = False, contacts: bool = True, on_error: str = "raise",
@@ -114,7 +118,7 @@ class ContactTable:
         (wrenches, first), (slopes, second) = elements.out("wrench"), elements.out("wrench_derivatives")
         moved, third = elements.out("wrench_by_position") if by_position else (None, repeat(None))
         kept = KeptContacts(elements.single)
-        found = elements.run("kstrip_wheel_on_table", repeat(self.raw), repeat(len(self.raw)), *elements.columns.values(),
+        found = elements.run("kstrip_wheel_on_table", repeat(structure_of(self)), *elements.columns.values(),
                              Workspace("wheel_workspace"), first, second, third, kept=[kept] if contacts else [],
                              sweep=sweep_of(threads, progress))
         statuses = elements.statuses(found, wrenches, slopes, moved)
@@ -124,7 +128,7 @@ class ContactTable:
         return elements.report(made, statuses)
 
     def __reduce__(self) -> Any:
-        return ContactTable.of_bytes, (self.raw,)
+        return ContactTable.of_bytes, (self.raw, self.only)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ContactTable) and self.raw == other.raw

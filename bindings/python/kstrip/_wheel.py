@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ctypes
+import struct
 from dataclasses import dataclass
-from typing import Any, Optional
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -16,6 +18,12 @@ from ._inputs import Many, check, count_of, floats, is_single, number, precision
 from ._library import dtype_of
 from ._status import report
 from .values import Friction, WheelContact, WheelPair, WheelPosition, WheelVelocity, Wrench, WrenchByPosition, WrenchDerivatives
+
+if TYPE_CHECKING:
+    from ._contact_table import ContactTable
+
+#: The structure kstrip_table
+_table = struct.Struct("PIi")
 
 
 class PreparedProfile:
@@ -135,14 +143,14 @@ def _elements(rail: Any, wheel: Any, on_error: str, friction: Any, **given: tupl
 
 def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition],
                   velocity: Many[WheelVelocity], friction: Optional[Many[Friction]] = None, by_position: bool = False, contacts: bool = True,
-                  on_error: str = "raise", threads: int = 1, progress: bool = False) -> WheelOnRail:
+                  on_error: str = "raise", threads: int = 1, progress: bool = False, table: Optional[ContactTable] = None) -> WheelOnRail:
     """Force and moment on wheels of prepared profiles, their derivatives and their contacts.
 
     rail, wheel: one each, by prepare_profile() or Profile.prepare(). pair: wheel_pair(). position: wheel_position(), whose
     `vertical` height_for_load() finds. velocity: wheel_velocity(). friction: a law of friction() that falls with the slip.
     pair, position, velocity and friction broadcast: two wheels at all positions are one call.
     by_position: also the derivatives with respect to the position. contacts: False leaves them out, for many wheels.
-    on_error, threads, progress: as in solve().
+    on_error, threads, progress: as in solve(). table: a ContactTable of all pairs, from which the contacts come.
 
     >>> position = kstrip.wheel_position(lateral=-6e-3)
     >>> position.vertical = kstrip.height_for_load(rail, wheel, pair, position, 80e3)
@@ -152,7 +160,7 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
     >>> print(f"creepage {100 * on.creepages[0].longitudinal:.2f} %, T-gamma {on.t_gamma[0]:.0f} N")
     creepage -0.25 %, T-gamma 52 N
     """
-    if on_error == "raise" and are_values(pair, position, velocity, friction) and not is_single(rail):
+    if on_error == "raise" and table is None and are_values(pair, position, velocity, friction) and not is_single(rail):
         return _one_wheel(rail, wheel, pair, position, velocity, friction, by_position, contacts)
     sweep = sweep_of(threads, progress)
     elements, profiles = _elements(rail, wheel, on_error, friction, pair=(WheelPair, pair), position=(WheelPosition, position),
@@ -166,13 +174,21 @@ def wheel_on_rail(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Whee
         return [*arrays, *(lists.room(first, count) if contacts else (None, 0))]
 
     inputs = ["pair", "position", "velocity", "friction"]
-    found = elements.run_many("kstrip_wheels_on_rails", profiles, inputs, "wheel_workspace", outputs, sweep)
+    found = elements.run_many("kstrip_wheels_on_rails", profiles, inputs, "wheel_workspace", outputs, sweep, [structure_of(table)])
     listed = lists.batch(int(np.where(np.array(found) >= 0, wrenches["contacts"].reshape(-1), 0).max(initial=0)))
     statuses = elements.statuses(found, wrenches, slopes, moved)
     made = WheelOnRail(elements.result(Wrench, wrenches, statuses), elements.result(WrenchDerivatives, slopes, statuses),
                        None if moved is None else elements.result(WrenchByPosition, moved, statuses), listed,
                        elements.given("pair"), elements.given("position"), elements.given("velocity"), elements.given("friction"), statuses)
     return elements.report(made, statuses)
+
+
+def structure_of(table: Optional[ContactTable]) -> Optional[bytes]:
+    """The structure of the C library that refers to a table; the table must outlive it."""
+    if table is None:
+        return None
+    place = ctypes.cast(ctypes.c_char_p(table.raw), ctypes.c_void_p).value
+    return _table.pack(place, len(table.raw), table.only)
 
 
 def _one_wheel(rail: PreparedProfile, wheel: PreparedProfile, pair: Any, position: Any, velocity: Any, friction: Any, by_position: bool,
@@ -191,12 +207,14 @@ def _one_wheel(rail: PreparedProfile, wheel: PreparedProfile, pair: Any, positio
 
 def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[WheelPair], position: Many[WheelPosition], support: ArrayLike,
                     velocity: Optional[Many[WheelVelocity]] = None, friction: Optional[Many[Friction]] = None, on_error: str = "raise",
-                    statuses: Optional[NDArray[np.int32]] = None, threads: int = 1, progress: bool = False) -> Any:
+                    statuses: Optional[NDArray[np.int32]] = None, threads: int = 1, progress: bool = False,
+                    table: Optional[ContactTable] = None) -> Any:
     """The vertical positions [m] at which the rail supports wheels with a force [N].
 
     Arguments as in wheel_on_rail(); all but rail and wheel broadcast. The search begins at position's `vertical`.
     velocity: None: the pressure alone carries the load.
     on_error, threads, progress: as in solve(). statuses: an array in the shape of the results that receives the status of each.
+    table: a ContactTable of all pairs, from which the contacts come.
 
     >>> positions = kstrip.wheel_position(lateral=[-12e-3, -10e-3, -8e-3])
     >>> positions.vertical = kstrip.height_for_load(rail, wheel, pair, positions, 80e3)
@@ -209,7 +227,7 @@ def height_for_load(rail: PreparedProfile, wheel: PreparedProfile, pair: Many[Wh
     heights, _ = elements.real()
     inputs = ["pair", "position", "support", "velocity", "friction"]
     found = elements.run_many("kstrip_heights_for_loads", profiles, inputs, "wheel_workspace",
-                              lambda first, _: [heights.ctypes.data + first * heights.itemsize], sweep)
+                              lambda first, _: [heights.ctypes.data + first * heights.itemsize], sweep, [structure_of(table)])
     told = elements.statuses(found, heights)
     if statuses is not None:
         statuses[...] = told

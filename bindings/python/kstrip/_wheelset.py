@@ -7,7 +7,7 @@ import struct
 from dataclasses import KW_ONLY, dataclass
 from functools import cache
 from itertools import repeat
-from typing import Any, Iterator, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Iterator, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,7 +19,7 @@ from ._group import Group
 from ._inputs import Many, array_of, check, count_of, floats, is_many, is_single, make, number, numbers, one
 from ._library import dtype_of
 from ._status import report
-from ._wheel import PreparedProfile, prepared
+from ._wheel import PreparedProfile, prepared, structure_of
 from .values import (
     Curve,
     Friction,
@@ -34,8 +34,11 @@ from .values import (
     Wrench,
 )
 
-#: Addresses of four, and of two, structures in memory that Python keeps
-_Four, _Two = ctypes.c_char_p * 4, ctypes.c_char_p * 2
+if TYPE_CHECKING:
+    from ._contact_table import ContactTable
+
+#: Addresses of six, and of two, structures in memory that Python keeps
+_Six, _Two = ctypes.c_char_p * 6, ctypes.c_char_p * 2
 #: Two, and four, numbers of either precision
 _two, _four = ({single: struct.Struct(f"{count}{'f' if single else 'd'}") for single in (False, True)} for count in (2, 4))
 
@@ -47,7 +50,8 @@ class Wheelset(Group):
     wheel, pair: the prepared profile and wheel_pair() of the right wheel; left_wheel, left_pair: None: as the right one.
     back_to_back: distance of the flange backs [m]; running_circles: of the running circles [m], 0: back_to_back and twice 70 mm.
     friction, left_friction: laws of friction() that fall with the slip; None: constant.
-    All but the profiles broadcast with the other arguments of a call: many coefficients of friction are many wheelsets.
+    table, left_table: each wheel's ContactTable on its rail, which may be the same; None: contacts are computed.
+    All but profiles and tables broadcast with the other arguments of a call: many coefficients of friction are many wheelsets.
 
     >>> kstrip.Wheelset(wheel, pair, back_to_back=1.36).back_to_back
     1.36
@@ -62,6 +66,8 @@ class Wheelset(Group):
     left_pair: Optional[Many[WheelPair]] = None
     friction: Optional[Many[Friction]] = None
     left_friction: Optional[Many[Friction]] = None
+    table: Optional[ContactTable] = None
+    left_table: Optional[ContactTable] = None
 
     @property
     def half_distance(self) -> Any:
@@ -79,7 +85,7 @@ class Wheelset(Group):
         left = None if self.left_wheel is None else prepared("left_wheel", self.left_wheel, single)
         laws = (None if law is None or is_many(law) else one(name, Friction, law, single)
                 for name, law in (("friction", self.friction), ("left_friction", self.left_friction)))
-        points = _Four(prepared("wheel", self.wheel, single), left, *laws)
+        points = _Six(prepared("wheel", self.wheel, single), left, *laws, structure_of(self.table), structure_of(self.left_table))
         pairs = (bytes(dtype_of("wheel_pair", single).itemsize) if pair is None or is_many(pair) else one(name, WheelPair, pair, single)
                  for name, pair in (("pair", self.pair), ("left_pair", self.left_pair)))
         distances = _two[single].pack(*(0.0 if is_many(value) else number(value, name)

@@ -523,7 +523,7 @@ class Patch(Value):
     strips: The strips; the first count are used. KSTRIP_ERROR_STRIP_ORDER if their y do not ascend, or if they overlap by more than half of the distance at which they touch.
     shear_modulus: Combined shear modulus G [Pa], > 0, else KSTRIP_ERROR_MODULUS.
     poisson_ratio: Combined Poisson's ratio [-], 0 to 0.5, else KSTRIP_ERROR_POISSON_RATIO.
-    area_scale: Factor [-], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the patch's area: 1 unless the strips are a quadrature rule (kstrip_patch_from_contact()); 0 stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
+    area_scale: Factor [-], > 0, else KSTRIP_ERROR_NOT_FINITE, that makes the sum of the strips' areas the patch's area: 1 unless the strips are the quadrature rule of kstrip_patch_from_contact(); 0 stands for 1. KSTRIP_ERROR_OVERFLOW if it is outside 1e-6 to 1e6.
     lever_scale: The same for the moment of the area about x, the sum of y^2 times area.
     count: Number of strips, 0 to KSTRIP_PATCH_CAPACITY, else KSTRIP_ERROR_PATCH_SIZE. None: no load.
     mismatch: Mismatch kappa [-] of the two materials, as in kstrip_contact: KSTRIP_WARNING_MISMATCH if its size is above 0.25. Only kstrip_patch_from_contact() sets it; the caller may set it.

@@ -3,6 +3,7 @@
 import dataclasses
 import os
 import pathlib
+import pickle
 import re
 import sys
 import unittest
@@ -42,7 +43,7 @@ class Binding(unittest.TestCase):
         declared = set(re.findall(r"\b(kstrip_\w+)\(", code + single))
         self.assertEqual(declared, {name for name in declared if getattr(kstrip.lib, name).argtypes is not None})
         named = set(re.findall(r"typedef struct kstrip_(\w+)", code + single))
-        self.assertEqual(named | {"options_f32"}, set(kstrip.dtypes))
+        self.assertEqual(named | {"options_f32", "table_f32"}, set(kstrip.dtypes))
         self.assertEqual(read_header.constants(code), kstrip.constants)
         self.assertEqual(np.zeros(2, kstrip.dtypes["derivatives"])["jacobian"][0].shape, (3, 3))
         self.assertIn("contact, creepage", kstrip.lib.kstrip_solve.__doc__)
@@ -530,6 +531,48 @@ class WheelOnRail(unittest.TestCase):
         means = [scene.Table(np.linspace(-3e-3, 3e-3, count), self.VELOCITY).error(between, self.VELOCITY)[0] for count in (7, 25)]
         self.assertTrue(means[1] < 0.5 * means[0] and means[1] < 0.002, means)
         self.assertAlmostEqual(scene.equivalent_conicity(3e-3), 0.1743, delta=0.002)
+
+
+class OnTables(unittest.TestCase):
+    """Heights, wheels and wheelsets whose contacts come from a table."""
+
+    TABLE = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.TABLE = kstrip.ContactTable(scene.RAIL, scene.WHEEL, scene.pair(), lateral=(-11e-3, -9e-3), load=120e3, yaw=1e-3, roll=1e-3, lateral_nodes=9,
+                                        levels=6, poses=20, only=True)
+
+    def test_a_height_carries_its_load_on_the_table(self):
+        place = kstrip.wheel_position(lateral=[-10.5e-3, -9.5e-3])
+        place.vertical = kstrip.height_for_load(scene.RAIL, scene.WHEEL, scene.pair(), place, 80e3, table=self.TABLE)
+        moves = kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46)
+        found = kstrip.wheel_on_rail(scene.RAIL, scene.WHEEL, scene.pair(), place, moves, table=self.TABLE)
+        same = self.TABLE.wheel(scene.pair(), place, moves)
+        np.testing.assert_array_equal(found.wrench.force, same.wrench.force)
+        loads = [sum(c.share * c.normal_force * c.normal[2] for c in contacts) for contacts in found.contacts]
+        np.testing.assert_allclose(loads, 80e3, rtol=1e-9)
+
+    def test_beside_the_table(self):
+        place, moves = kstrip.wheel_position(lateral=-6e-3, vertical=1e-4), kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46)
+        given = (scene.RAIL, scene.WHEEL, scene.pair(), place, moves)
+        with self.assertRaises(kstrip.KstripError) as caught:
+            kstrip.wheel_on_rail(*given, table=self.TABLE)
+        self.assertEqual(caught.exception.status, kstrip.constants["KSTRIP_ERROR_TABLE_RANGE"])
+        computed = kstrip.ContactTable.of_bytes(self.TABLE.raw)
+        np.testing.assert_array_equal(kstrip.wheel_on_rail(*given, table=computed).wrench.force, kstrip.wheel_on_rail(*given).wrench.force)
+
+    def test_a_wheelset_settles_on_tables(self):
+        track = kstrip.Track(scene.RAIL, origin=(0.760, 0.760))
+        direct, on = (kstrip.wheelset_settle(kstrip.Wheelset(scene.WHEEL, scene.pair(), running_circles=1.5, table=table, left_table=table), track,
+                                             kstrip.wheel_position(lateral=0.3e-3), kstrip.wheel_velocity(forward=20.0, pitch=-20.0 / 0.46), 160e3)
+                      for table in (None, self.TABLE))
+        self.assertAlmostEqual(-on.forces.wrench.force[2], 160e3, delta=1e-3)
+        self.assertAlmostEqual(1e6 * on.position.vertical, 1e6 * direct.position.vertical, delta=3)
+
+    def test_pickled(self):
+        again = pickle.loads(pickle.dumps(self.TABLE))
+        self.assertTrue(again == self.TABLE and again.only)
 
 
 if __name__ == "__main__":

@@ -1,11 +1,9 @@
 //! Many wheels and many wheelsets in one call, for sweeps and tables.
 
-use super::{
-    F, kstrip_height_for_load, kstrip_wheel_on_rail, kstrip_wheelset_on_track,
-    kstrip_wheelset_settle,
-};
+use super::wheel_rail::{WheelOutputs, scene_of, state_of, with_table};
+use super::{F, kstrip_height_for_load, kstrip_wheelset_on_track, kstrip_wheelset_settle};
 use crate::ffi::support::{Strided, each_element, element, given, status_of};
-use crate::ffi::types::{Track, WheelsetParts};
+use crate::ffi::types::{Track, WheelsetParts, kstrip_table};
 use crate::friction::SlipFriction;
 use crate::patch::PatchStrip;
 use crate::status::{Error, kstrip_status};
@@ -35,6 +33,7 @@ use crate::wheelset::settle::WheelsetLoads;
 /// @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
 /// @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
 ///                            constant.
+/// @param table           a contact table of all pairs; NULL: contacts are computed.
 /// @param[out] wrenches   array of count elements; receives force and moment, and with them the
 ///                        number of contacts.
 /// @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -54,10 +53,10 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
     pairs: *const WheelPair<F>, pair_stride: u32, positions: *const Position<F>,
     position_stride: u32, velocities: *const Velocity<F>, velocity_stride: u32,
-    friction: *const SlipFriction<F>, friction_stride: u32, workspace: Option<&mut Workspace<F>>,
-    wrenches: *mut Wrench<F>, derivatives: *mut WrenchDerivatives<F>,
-    by_position: *mut WrenchByPosition<F>, contacts: *mut WheelContact<F>, room: u32,
-    statuses: *mut kstrip_status,
+    friction: *const SlipFriction<F>, friction_stride: u32, table: Option<&kstrip_table>,
+    workspace: Option<&mut Workspace<F>>, wrenches: *mut Wrench<F>,
+    derivatives: *mut WrenchDerivatives<F>, by_position: *mut WrenchByPosition<F>,
+    contacts: *mut WheelContact<F>, room: u32, statuses: *mut kstrip_status,
 ) -> kstrip_status {
     status_of(|| {
         let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
@@ -71,18 +70,18 @@ pub unsafe extern "C" fn kstrip_wheels_on_rails(
         // SAFETY: arrays are NULL or valid for count elements at their distances, says the header.
         unsafe {
             each_element(count, statuses, |i| {
-                let status = kstrip_wheel_on_rail(
-                    Some(rail),
-                    Some(wheel),
-                    pairs.at(i).as_ref(),
-                    positions.at(i).as_ref(),
-                    velocities.at(i).as_ref(),
-                    friction.at(i).as_ref(),
-                    Some(memory),
-                    element(wrenches, i),
-                    element(derivatives, i),
-                    element(by_position, i),
-                );
+                let (pair, law) = (pairs.at(i), friction.at(i));
+                let outputs = WheelOutputs {
+                    wrench: element(wrenches, i),
+                    derivatives: element(derivatives, i),
+                    by_position: element(by_position, i),
+                };
+                let status = status_of(|| {
+                    let scene = scene_of(Some(rail), Some(wheel), pair.as_ref(), law.as_ref())?;
+                    let scene = with_table(scene, table)?;
+                    let state = state_of(positions.at(i).as_ref(), velocities.at(i).as_ref())?;
+                    outputs.write(|requested| scene.differentiate(&state, memory, requested))
+                });
                 if status >= 0 && !contacts.is_null() {
                     let first = contacts.wrapping_add(i.wrapping_mul(room));
                     let found = memory.contacts.iter_mut().take(room.min(memory.count as usize));
@@ -120,6 +119,7 @@ fn clear_unused(contact: &mut WheelContact<F>) {
 ///                        pressure carries the load.
 /// @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
 ///                        constant.
+/// @param table           a contact table of all pairs; NULL: contacts are computed.
 /// @param[out] verticals  array of count elements; receives the vertical positions [m].
 /// @param[out] statuses   array of count elements; receives those of kstrip_height_for_load();
 ///                        NULL: not needed.
@@ -132,7 +132,8 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
     pairs: *const WheelPair<F>, pair_stride: u32, positions: *const Position<F>,
     position_stride: u32, supports: *const F, support_stride: u32, velocities: *const Velocity<F>,
     velocity_stride: u32, friction: *const SlipFriction<F>, friction_stride: u32,
-    workspace: Option<&mut Workspace<F>>, verticals: *mut F, statuses: *mut kstrip_status,
+    table: Option<&kstrip_table>, workspace: Option<&mut Workspace<F>>, verticals: *mut F,
+    statuses: *mut kstrip_status,
 ) -> kstrip_status {
     status_of(|| {
         let (rail, wheel, memory) = (given(rail)?, given(wheel)?, given(workspace)?);
@@ -153,6 +154,7 @@ pub unsafe extern "C" fn kstrip_heights_for_loads(
                     supports.at(i).unwrap_or(0.0),
                     velocities.at(i).as_ref(),
                     friction.at(i).as_ref(),
+                    table,
                     Some(memory),
                     element(verticals, i),
                 )

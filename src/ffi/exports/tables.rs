@@ -1,10 +1,9 @@
 //! Contact tables: a wheel in microseconds.
 
 use super::F;
-use super::wheel_rail::{all_fit, law_of, scene_of};
-use crate::ffi::support::{
-    given, input, output, put, status_of, strip_count, with_requested, write_result,
-};
+use super::wheel_rail::{WheelOutputs, law_of, scene_of, state_of};
+use crate::ffi::support::{given, input, output, put, status_of, strip_count, write_result};
+use crate::ffi::types::kstrip_table;
 use crate::friction::SlipFriction;
 use crate::status::{Error, Warning, kstrip_status};
 use crate::table::{
@@ -14,7 +13,7 @@ use crate::table::{
 use crate::wheel_rail::forces::wrench::{Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::scene::Workspace;
-use crate::wheel_rail::{BodyState, Position, Velocity, WheelPair};
+use crate::wheel_rail::{Position, Velocity, WheelPair};
 use core::mem::MaybeUninit;
 
 /// Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which
@@ -158,10 +157,10 @@ pub unsafe extern "C" fn kstrip_table_check(
     })
 }
 
-/// kstrip_wheel_on_rail() from a table. It has the same contacts; the gap is not computed. Force
-/// and moment jump by up to 1e-4 of the load where a strip begins in a contact of few strips.
+/// kstrip_wheel_on_rail() from a table alone: it needs no profiles, and computes no gap. Force and
+/// moment are continuous inside the table.
 ///
-/// @param table, bytes    a finished table.
+/// @param table           a finished table; its member only does not matter.
 /// @param pair            friction, side, model, damping, floor_speed and rail_speed. The radius,
 ///                        the materials and the smoothing length are those of the table, the number
 ///                        of strips is that of its spec, and the rail is straight.
@@ -176,26 +175,21 @@ pub unsafe extern "C" fn kstrip_table_check(
 ///         pair); an error of kstrip_wheel_on_rail() about its arguments.
 #[unsafe(export_name = symbol!("kstrip_wheel_on_table"))]
 pub unsafe extern "C" fn kstrip_wheel_on_table(
-    table: *const u8, bytes: u32, pair: Option<&WheelPair<F>>, position: Option<&Position<F>>,
+    table: Option<&kstrip_table>, pair: Option<&WheelPair<F>>, position: Option<&Position<F>>,
     velocity: Option<&Velocity<F>>, friction: Option<&SlipFriction<F>>,
     workspace: Option<&mut Workspace<F>>, wrench: Option<&mut MaybeUninit<Wrench<F>>>,
     derivatives: Option<&mut MaybeUninit<WrenchDerivatives<F>>>,
     by_position: Option<&mut MaybeUninit<WrenchByPosition<F>>>,
 ) -> kstrip_status {
     status_of(|| {
+        let (table, pair) = (given(table)?, given(pair)?);
         // SAFETY: NULL or as many bytes as said, says the header.
-        let table = ContactTable::new(unsafe { input(table, bytes)? })?;
-        let pair = given(pair)?;
+        let table = ContactTable::new(unsafe { input(table.data, table.bytes)? })?;
         let (_, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);
-        let (position, velocity) = (given(position)?, given(velocity)?);
-        let (memory, out) = (given(workspace)?, given(wrench)?);
-        let state = BodyState { position: *position, velocity: *velocity };
+        let (state, memory) = (state_of(position, velocity)?, given(workspace)?);
         let scene = TableScene { table, pair, law };
-        let found = with_requested(derivatives, by_position, all_fit, |requested| {
-            scene.differentiate(&state, memory, requested)
-        })?;
-        out.write(found);
-        Ok(found.warning)
+        WheelOutputs { wrench, derivatives, by_position }
+            .write(|requested| scene.differentiate(&state, memory, requested))
     })
 }
 

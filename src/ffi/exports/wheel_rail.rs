@@ -2,9 +2,10 @@
 
 use super::F;
 use crate::ffi::support::{
-    for_strips, given, input, output, put, status_of, strip_count, with_requested, write_result,
+    Output, for_strips, given, input, output, put, status_of, strip_count, with_requested,
+    write_result,
 };
-use crate::ffi::types::kstrip_options;
+use crate::ffi::types::{kstrip_options, kstrip_table};
 use crate::forces::Model;
 use crate::friction::SlipFriction;
 use crate::motion::Motion;
@@ -16,9 +17,11 @@ use crate::wheel_rail::forces::across::{self, StripPower};
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::profile::plausibility::Cause;
-use crate::wheel_rail::scene::{Scene, Workspace};
+use crate::wheel_rail::scene::{Scene, TableSource, Workspace};
 use crate::wheel_rail::touch::{Gap, GapSearch};
-use crate::wheel_rail::{BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
+use crate::wheel_rail::{
+    BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, Velocity, WheelPair,
+};
 use core::mem::MaybeUninit;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
@@ -235,13 +238,39 @@ pub unsafe extern "C" fn kstrip_contact_power_across(
     })
 }
 
-/// Whether a wrench and all its derivatives fit the floating-point type.
-pub(super) fn all_fit(
-    found: &Wrench<F>, by_velocity: &WrenchDerivatives<F>, by_position: &WrenchByPosition<F>,
-) -> bool {
-    let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
-    let moved = [lateral, vertical, yaw, roll];
-    fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
+/// Where the results of a wheel go.
+pub(super) struct WheelOutputs<'a> {
+    pub wrench: Output<'a, Wrench<F>>,
+    pub derivatives: Output<'a, WrenchDerivatives<F>>,
+    pub by_position: Output<'a, WrenchByPosition<F>>,
+}
+
+impl WheelOutputs<'_> {
+    /// Writes the wrench and the derivatives that are requested, if all their numbers are finite.
+    pub fn write(
+        self,
+        solve: impl FnOnce(
+            Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
+        ) -> Result<Wrench<F>, Error>,
+    ) -> Result<Warning, Error> {
+        let Self { wrench, derivatives, by_position } = self;
+        let out = given(wrench)?;
+        let all_fit = |found: &_, by_velocity: &_, by_position: &WrenchByPosition<F>| {
+            let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
+            let moved = [lateral, vertical, yaw, roll];
+            fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
+        };
+        let found = with_requested(derivatives, by_position, all_fit, solve)?;
+        out.write(found);
+        Ok(found.warning)
+    }
+}
+
+/// A position with a velocity; both are required.
+pub(super) fn state_of(
+    position: Option<&Position<F>>, velocity: Option<&Velocity<F>>,
+) -> Result<BodyState<F>, Error> {
+    Ok(BodyState { position: *given(position)?, velocity: *given(velocity)? })
 }
 
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
@@ -285,14 +314,9 @@ pub extern "C" fn kstrip_wheel_on_rail(
 ) -> kstrip_status {
     status_of(|| {
         let scene = scene_of(rail, wheel, pair, friction)?;
-        let (position, velocity) = (given(position)?, given(velocity)?);
-        let (memory, out) = (given(workspace)?, given(wrench)?);
-        let state = BodyState { position: *position, velocity: *velocity };
-        let found = with_requested(derivatives, by_position, all_fit, |requested| {
-            scene.differentiate(&state, memory, requested)
-        })?;
-        out.write(found);
-        Ok(found.warning)
+        let (state, memory) = (state_of(position, velocity)?, given(workspace)?);
+        WheelOutputs { wrench, derivatives, by_position }
+            .write(|requested| scene.differentiate(&state, memory, requested))
     })
 }
 
@@ -305,20 +329,24 @@ pub extern "C" fn kstrip_wheel_on_rail(
 /// @param velocity        how the wheel moves; its creep forces carry a part of the load. NULL: the
 ///                        pressure carries all of it.
 /// @param friction        as in kstrip_wheel_on_rail(); NULL: constant.
+/// @param table           a contact table of the pair; NULL: contacts are computed.
 /// @param workspace       memory that may hold anything; receives gap and contacts.
 /// @param[out] vertical   receives the vertical position [m].
 /// @return as kstrip_wheel_on_rail(); KSTRIP_WARNING_NOT_CONVERGED (no height carries the load to
 ///         rounding); KSTRIP_WARNING_SUPPORT (no ordinary contact supports the wheel at this
-///         height); KSTRIP_ERROR_SUPPORT (support <= 0).
+///         height); KSTRIP_ERROR_SUPPORT (support <= 0); with a table those of
+///         kstrip_wheel_on_table().
 #[unsafe(export_name = symbol!("kstrip_height_for_load"))]
-pub extern "C" fn kstrip_height_for_load(
+pub unsafe extern "C" fn kstrip_height_for_load(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>,
     pair: Option<&WheelPair<F>>, position: Option<&Position<F>>, support: F,
     velocity: Option<&Velocity<F>>, friction: Option<&SlipFriction<F>>,
-    workspace: Option<&mut Workspace<F>>, vertical: Option<&mut MaybeUninit<F>>,
+    table: Option<&kstrip_table>, workspace: Option<&mut Workspace<F>>,
+    vertical: Option<&mut MaybeUninit<F>>,
 ) -> kstrip_status {
     status_of(|| {
-        let scene = scene_of(rail, wheel, pair, friction)?;
+        // SAFETY: the table is NULL or has as many bytes as it says, says the header.
+        let scene = unsafe { with_table(scene_of(rail, wheel, pair, friction)?, table)? };
         let (position, memory, out) = (given(position)?, given(workspace)?, given(vertical)?);
         let (found, warning) = scene.height_for_load(position, support, velocity, memory)?;
         Error::Overflow.unless(found.is_finite_number())?;
@@ -333,7 +361,32 @@ pub(super) fn scene_of<'a>(
 ) -> Result<Scene<'a, F>, Error> {
     let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);
     let (strips, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);
-    Ok(Scene { rail, wheel, pair, strips, law })
+    Ok(Scene { rail, wheel, pair, strips, law, table: None })
+}
+
+/// The same scene with contacts from a table, if there is one.
+///
+/// # Safety
+/// The memory of the table is NULL or valid for its bytes, and nobody writes it.
+pub(super) unsafe fn with_table<'a>(
+    scene: Scene<'a, F>, table: Option<&'a kstrip_table>,
+) -> Result<Scene<'a, F>, Error> {
+    let is_any = |table: &&kstrip_table| table.bytes > 0 || !table.data.is_null();
+    let Some(table) = table.filter(is_any) else { return Ok(scene) };
+    // SAFETY: the promise of this function.
+    let bytes = unsafe { input(table.data, table.bytes)? };
+    Ok(Scene { table: Some(source_of(bytes, table.only != 0)?), ..scene })
+}
+
+#[cfg(feature = "tables")]
+fn source_of(bytes: &[u8], only: bool) -> Result<TableSource<'_, F>, Error> {
+    Ok(crate::table::source(bytes, only))
+}
+
+/// This build of the library has no tables.
+#[cfg(not(feature = "tables"))]
+fn source_of(_: &[u8], _: bool) -> Result<TableSource<'_, F>, Error> {
+    Err(Error::Table)
 }
 
 /// Whether all numbers are finite.

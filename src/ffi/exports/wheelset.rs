@@ -1,7 +1,7 @@
 //! The wheelset: two wheels on two rails.
 
 use super::F;
-use super::wheel_rail::{fits, scene_of};
+use super::wheel_rail::{fits, scene_of, with_table};
 use crate::ffi::support::{
     each_element, element, given, input, place, put, status_of, with_requested, write_result,
     write_warned,
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn kstrip_curve_motion(
 /// @param[out] by_position  receives derivatives with respect to the ten positions, as exact as
 ///                        those of kstrip_wheel_on_rail(); NULL: not needed.
 /// @return statuses of kstrip_wheelset and kstrip_track; as kstrip_wheel_on_rail() for each wheel,
-///         of two warnings the more serious.
+///         of two warnings the more serious; with tables those of kstrip_wheel_on_table().
 #[unsafe(export_name = symbol!("kstrip_wheelset_on_track"))]
 pub unsafe extern "C" fn kstrip_wheelset_on_track(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>, position: Option<&Position<F>>,
@@ -260,7 +260,7 @@ pub unsafe extern "C" fn kstrip_equivalent_conicity(
 /// depth at which its gauge is measured.
 ///
 /// # Safety
-/// The pointers in both structures are NULL or valid.
+/// The pointers in both structures and in their tables are NULL or valid.
 unsafe fn on_track(
     set: Option<&WheelsetParts<F>>, track: Option<&Track<F>>,
     solve: impl FnOnce(&Wheelset<'_, F>) -> Result<Warning, Error>,
@@ -294,6 +294,11 @@ unsafe fn on_track(
             scene_of(Some(rail), Some(wheel), Some(&right), law)?,
             scene_of(Some(other_rail), Some(other_wheel), Some(&left), other_law)?,
         ];
+        let ([right, left], [table, other_table]) = (scenes, set.table);
+        // SAFETY: the promise of this function.
+        let scenes = unsafe {
+            [with_table(right, table.as_ref())?, with_table(left, other_table.as_ref())?]
+        };
         Ok(solve(&Wheelset { scenes, sides })?.worse(of_rail.worse(of_other)))
     })
 }

@@ -19,7 +19,7 @@ use crate::places::{batch_from, no_batch, nowhere};
 pub use crate::poison::poisoned;
 use crate::poison::untouched as all_untouched;
 use crate::structures;
-use kstrip::ffi::types::kstrip_options;
+use kstrip::ffi::types::{kstrip_options, kstrip_table};
 use kstrip::ffi::*;
 use kstrip::status::Warning;
 use std::mem::MaybeUninit;

@@ -207,6 +207,8 @@ fn wheel_on_table(bytes: &mut Bytes) {
         };
     }
     let block = damaged(bytes, finished);
+    let only = i32::from(bytes.byte() % 2);
+    let table = kstrip_table { data: block.as_ptr(), bytes: block.len() as u32, only };
     let (law, with_law, given) = (friction_of(bytes), bytes.byte() < 64, bytes.given());
     let mut memory = zeroed::<kstrip_wheel_workspace>();
     let (mut out, mut slopes, mut moved) = (poisoned::<kstrip_wrench>(), poisoned(), poisoned());
@@ -214,8 +216,7 @@ fn wheel_on_table(bytes: &mut Bytes) {
     // SAFETY: as many bytes as said.
     let status = unsafe {
         kstrip_wheel_on_table(
-            given.array(0, &block),
-            block.len() as u32,
+            given.input(0, &table),
             given.input(1, &scene.pair),
             given.input(2, &scene.position),
             given.input(3, &scene.velocity),
@@ -230,6 +231,25 @@ fn wheel_on_table(bytes: &mut Bytes) {
         && untouched::<kstrip_wrench_by_position>(&moved);
     if answered(status, untouched(&out) && slopes_untouched) {
         plausible(&written(&out), status);
+    }
+    let mut height = poisoned::<Float>();
+    // SAFETY: as many bytes as said.
+    let status = unsafe {
+        kstrip_height_for_load(
+            Some(&*scene.rail),
+            Some(&*scene.wheel),
+            Some(&scene.pair),
+            Some(&scene.position),
+            Number::of(bytes, 1e4),
+            None,
+            None,
+            Some(&table),
+            Some(&mut memory),
+            Some(&mut height),
+        )
+    };
+    if answered(status, untouched(&height)) {
+        assert!(written(&height).is_finite());
     }
 }
 
