@@ -1,7 +1,7 @@
 //! `f32` and `f64` as numbers of the theory.
 
 use super::elementary::{self, ARCTAN_DOUBLE, ARCTAN_SINGLE, ARTANH_DOUBLE, ARTANH_SINGLE};
-use super::lanes::{F32Pair, Lanes};
+use super::lanes::{F32Pair, Lanes, Wide};
 use super::root;
 use super::traits::{Arithmetic, Float, Number, Real, Strips};
 
@@ -143,7 +143,7 @@ plain!(
     Real {
         type Four = Lanes<Lanes<f64, 2>, 2>;
         type Eight = Lanes<Self::Four, 2>;
-        type WideRow = Lanes<f64, 4>;
+        type WideRow = Lanes<f64, 4, Wide>;
         type WideFour = Self::WideRow;
         type WideEight = Lanes<Self::WideRow, 2>;
         type WideSixteen = Lanes<Self::WideEight, 2>;
@@ -167,7 +167,7 @@ plain!(
     Real {
         type Four = Lanes<f32, 4>;
         type Eight = Lanes<Self::Four, 2>;
-        type WideRow = Lanes<f32, 8>;
+        type WideRow = Lanes<f32, 8, Wide>;
         type WideFour = Self::Four;
         type WideEight = Self::WideRow;
         type WideSixteen = Lanes<Self::WideRow, 2>;

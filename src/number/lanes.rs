@@ -7,13 +7,23 @@
 
 use super::elementary;
 use super::traits::{Arithmetic, InRegisters, Number, Pair, Real, Strips};
+use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
-/// `N` numbers side by side.
+/// `N` numbers side by side. `A` is their alignment in memory: `()` for none, or [`Wide`].
 #[derive(Clone, Copy, Debug)]
-pub struct Lanes<T, const N: usize>([T; N]);
+pub struct Lanes<T, const N: usize, A = ()>([T; N], [A; 0]);
 
-impl<T, const N: usize> Lanes<T, N> {
+/// Where a register of 256 bits is read at once.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(32))]
+pub struct Wide;
+
+impl<T, const N: usize, A> Lanes<T, N, A> {
+    /// Code that makes numbers for wide registers has checked that the processor has them.
+    pub(crate) fn new(numbers: [T; N]) -> Self {
+        Self(numbers, [])
+    }
     /// One by one.
     pub(crate) fn numbers(self) -> [T; N] {
         self.0
@@ -25,18 +35,18 @@ macro_rules! operators {
         $operator:ident $function:ident($($other:ident)?) $of_arrays:ident
         $($assigned:ident $assign:ident)?
     ),*) => {$(
-        impl<T: InRegisters, const N: usize> $operator
-            for Lanes<T, N>
+        impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $operator
+            for Lanes<T, N, A>
         {
             type Output = Self;
             #[inline(always)]
             fn $function(self $(, $other: Self)?) -> Self {
-                Self(T::$of_arrays(self.0 $(, $other.0)?))
+                Self(T::$of_arrays(self.0 $(, $other.0)?), [])
             }
         }
 
-        $(impl<T: InRegisters, const N: usize> $assigned
-            for Lanes<T, N>
+        $(impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> $assigned
+            for Lanes<T, N, A>
         {
             #[inline]
             fn $assign(&mut self, other: Self) {
@@ -50,7 +60,7 @@ operators!(
     Mul mul(other) multiplied, Div div(other) divided, Neg neg() negated
 );
 
-impl<T: InRegisters, const N: usize> Arithmetic for Lanes<T, N> {
+impl<T: InRegisters, const N: usize, A: Copy + Debug + 'static> Arithmetic for Lanes<T, N, A> {
     type Value = Self;
     const BRANCHES: bool = N == 1 && T::BRANCHES;
 
@@ -58,10 +68,10 @@ impl<T: InRegisters, const N: usize> Arithmetic for Lanes<T, N> {
         self.0.iter().zip(&other.0).all(|(x, other)| x.is_above(*other))
     }
     fn constant(x: f64) -> Self {
-        Self([T::constant(x); N])
+        Self([T::constant(x); N], [])
     }
     fn tiny() -> Self {
-        Self([T::tiny(); N])
+        Self([T::tiny(); N], [])
     }
     fn from_base(x: Self) -> Self {
         x
@@ -71,32 +81,32 @@ impl<T: InRegisters, const N: usize> Arithmetic for Lanes<T, N> {
     }
     #[inline]
     fn sqrt(self) -> Self {
-        Self(T::roots(self.0))
+        Self(T::roots(self.0), [])
     }
     #[inline]
     fn abs(self) -> Self {
-        Self(T::sizes(self.0))
+        Self(T::sizes(self.0), [])
     }
     #[inline]
     fn max(self, other: Self) -> Self {
-        Self(T::larger(self.0, other.0))
+        Self(T::larger(self.0, other.0), [])
     }
     #[inline]
     fn min(self, other: Self) -> Self {
-        Self(T::smaller(self.0, other.0))
+        Self(T::smaller(self.0, other.0), [])
     }
     #[inline(always)]
     fn inverse_root(self) -> Self {
-        Self(T::inverse_roots(self.0))
+        Self(T::inverse_roots(self.0), [])
     }
     #[inline(always)]
     fn choose(self, yes: Self, no: Self) -> Self {
-        Self(T::chosen(self.0, yes.0, no.0))
+        Self(T::chosen(self.0, yes.0, no.0), [])
     }
 }
 
 /// Numbers side by side that are side by side themselves: as many as fill several registers.
-impl<T: InRegisters, const M: usize> InRegisters for Lanes<T, M> {
+impl<T: InRegisters, const M: usize, A: Copy + Debug + 'static> InRegisters for Lanes<T, M, A> {
     #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         let mut pairs = a.into_iter().zip(b);
@@ -113,11 +123,11 @@ impl<T: Real, const N: usize> Number for Lanes<T, N> {
     type Base = Self;
     type Pair = Lanes<Self, 2>;
     const LANES: usize = N * T::LANES;
-    const LARGEST: Self = Self([T::LARGEST; N]);
-    const TINY: Self = Self([T::TINY; N]);
-    const ROOT_TINY: Self = Self([T::ROOT_TINY; N]);
-    const HUGE: Self = Self([T::HUGE; N]);
-    const EPSILON: Self = Self([T::EPSILON; N]);
+    const LARGEST: Self = Self([T::LARGEST; N], []);
+    const TINY: Self = Self([T::TINY; N], []);
+    const ROOT_TINY: Self = Self([T::ROOT_TINY; N], []);
+    const HUGE: Self = Self([T::HUGE; N], []);
+    const EPSILON: Self = Self([T::EPSILON; N], []);
 
     #[inline(always)]
     fn exceeds(self, other: Self) -> bool {
@@ -136,7 +146,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
 
     #[inline]
     fn stored(x: T::Stored) -> Self {
-        Self([T::stored(x); N])
+        Self([T::stored(x); N], [])
     }
     #[inline]
     fn binary_quotient(self, divisor: Self) -> (Self, Self) {
@@ -144,7 +154,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
         for (k, divisor) in k.iter_mut().zip(&mut divisors) {
             (*k, *divisor) = k.binary_quotient(*divisor);
         }
-        (Self(k), Self(divisors))
+        (Self(k, []), Self(divisors, []))
     }
     #[inline(always)]
     fn ln_quotient(self, divisor: Self) -> Self {
@@ -166,7 +176,7 @@ impl<T: Real, const N: usize> Real for Lanes<T, N> {
 
 impl<T: Real<Pair = Self>> Pair<T> for Lanes<T, 2> {
     fn couple(first: T, second: T) -> Self {
-        Self([first, second])
+        Self([first, second], [])
     }
     fn parts(self) -> (T, T) {
         self.0.into()
@@ -185,7 +195,7 @@ pub type F32Pair = Lanes<f32, 2>;
 #[cfg(target_arch = "x86_64")]
 impl Pair<f32> for Lanes<f32, 4> {
     fn couple(first: f32, second: f32) -> Self {
-        Self([first, second, 1.0, 1.0])
+        Self([first, second, 1.0, 1.0], [])
     }
     fn parts(self) -> (f32, f32) {
         let [first, second, ..] = self.0;
@@ -194,7 +204,7 @@ impl Pair<f32> for Lanes<f32, 4> {
 }
 
 /// As many strips as there are numbers.
-impl<F: Real, const N: usize> Strips<F> for Lanes<F, N> {
+impl<F: Real, const N: usize, A: Copy + Debug + 'static> Strips<F> for Lanes<F, N, A> {
     const COUNT: usize = N;
     #[inline(always)]
     fn gather(of: impl Fn(usize) -> F) -> Self {
@@ -202,7 +212,7 @@ impl<F: Real, const N: usize> Strips<F> for Lanes<F, N> {
         for (i, place) in numbers.iter_mut().enumerate() {
             *place = of(i);
         }
-        Self(numbers)
+        Self(numbers, [])
     }
     #[inline]
     fn of_list(list: &[F::Stored]) -> Self {
@@ -210,10 +220,10 @@ impl<F: Real, const N: usize> Strips<F> for Lanes<F, N> {
         for (place, x) in numbers.iter_mut().zip(list) {
             *place = F::stored(*x);
         }
-        Self(numbers)
+        Self(numbers, [])
     }
     fn all(x: F) -> Self {
-        Self([x; N])
+        Self([x; N], [])
     }
     fn lane(&self, i: usize) -> F {
         self.0.get(i).copied().unwrap_or(F::zero())
@@ -233,21 +243,21 @@ impl<F: Real, const N: usize> Strips<F> for Lanes<F, N> {
 }
 
 macro_rules! twice {
-    ($(<$N:ident> $half:ty: $count:expr),*) => {$(
+    ($(<$N:ident, $A:ident> $half:ty: $count:expr),*) => {$(
         /// Twice as many.
-        impl<F: Real, const $N: usize> Strips<F> for Lanes<$half, 2> {
+        impl<F: Real, const $N: usize, $A: Copy + Debug + 'static> Strips<F> for Lanes<$half, 2> {
             const COUNT: usize = 2 * $count;
             #[inline(always)]
             fn gather(of: impl Fn(usize) -> F) -> Self {
-                Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))])
+                Self([Strips::gather(&of), Strips::gather(|i| of(i + $count))], [])
             }
             #[inline]
             fn of_list(list: &[F::Stored]) -> Self {
                 let (first, second) = list.split_at($count.min(list.len()));
-                Self([Strips::<F>::of_list(first), Strips::<F>::of_list(second)])
+                Self([Strips::of_list(first), Strips::of_list(second)], [])
             }
             fn all(x: F) -> Self {
-                Self([Strips::all(x); 2])
+                Self([Strips::all(x); 2], [])
             }
             fn lane(&self, i: usize) -> F {
                 let [first, second] = &self.0;
@@ -261,4 +271,4 @@ macro_rules! twice {
         }
     )*};
 }
-twice!(<N> Lanes<F, N>: N, <N> Lanes<Lanes<F, N>, 2>: 2 * N);
+twice!(<N, A> Lanes<F, N, A>: N, <N, A> Lanes<Lanes<F, N, A>, 2>: 2 * N);

@@ -1,8 +1,8 @@
 //! Strips of any shape side by side: those of a patch, which do not belong to one ellipse.
 //!
-//! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates one
-//! kind after the other and mixes them; forces of strips that are wholly of one kind or the other
-//! are evaluated with their own nodes.
+//! Strips are of two kinds, whose nodes along the length are staggered. This module evaluates both
+//! kinds side by side and mixes them; forces of strips that are wholly of one kind or the other are
+//! evaluated with their own nodes.
 
 use super::derivative::{SpinSlopes, alone_with_slopes, forces_and_slopes};
 use super::kernel::{Spin, StripCreepage, forces};
@@ -30,9 +30,9 @@ pub fn eight_strips<T: Number>(
 ) -> [StripForces<T>; 8] {
     // One function serves all numbers of derivatives, which keeps the code small.
     if T::HAS_DERIVATIVES {
-        carried(seen, inner, in_registers::<T::Base, FORCE_ROWS>)
+        carried(seen, inner, both_kinds::<T::Base, FORCE_ROWS>)
     } else {
-        carried(seen, inner, in_registers::<T::Base, NO_ROWS>)
+        carried(seen, inner, both_kinds::<T::Base, NO_ROWS>)
     }
 }
 
@@ -88,9 +88,21 @@ fn carried<T: Number, const ROWS: usize>(
 /// kinds are computed where one kind would do.
 const IS_SMALL: bool = cfg!(any(target_os = "none", target_family = "wasm"));
 
-fn in_registers<F: Real, const ROWS: usize>(
+fn both_kinds<F: Real, const ROWS: usize>(
     eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
+    let [.., inner] = eight;
+    let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
+    if ROWS == FORCE_ROWS && !are_mixed && !IS_SMALL {
+        return with_avx!(if 1 => <F: Real; ROWS>(
+            eight: &StripColumns<F>,
+            found: &mut ForcesAndSlopes<F, ROWS>
+        ) -> () {
+            of_one_kind::<F, F::Eight, ROWS>(eight, found)
+        } {
+            of_one_kind::<F, F::WideEight, ROWS>(eight, found)
+        });
+    }
     with_avx!(if 1 => <F: Real; ROWS>(
         eight: &StripColumns<F>,
         found: &mut ForcesAndSlopes<F, ROWS>
@@ -107,76 +119,101 @@ fn in_registers<F: Real, const ROWS: usize>(
     })
 }
 
+/// Forces and derivatives of strips that are each of one kind.
+#[inline(always)]
+fn of_one_kind<F: Real, P: Strips<F>, const ROWS: usize>(
+    eight: &StripColumns<F>, (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
+) {
+    for first in (0..8).step_by(P::COUNT) {
+        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
+        let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
+        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+            let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
+            inner.choose(own, outer)
+        });
+        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+        let by_spin = SpinSlopes::new(&spin);
+        let (StripForces { fx, fy, mx, stick }, own) =
+            forces_and_slopes(&seen, &spin, &constants, &by_spin);
+        let numbers = [fx, fy, mx, stick].into_iter().chain(own.into_iter().flatten());
+        let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
+        for (column, own) in columns.zip(numbers) {
+            for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
+                *place = own.lane(k);
+            }
+        }
+    }
+}
+
 /// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
     eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
+    let zero = F::zero();
+    let (carried, slopes) = found;
     for first in (0..8).step_by(P::COUNT) {
-        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
+        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
-        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
-        let by_spin = SpinSlopes::new(&spin);
-        let outer = P::one() - inner;
-        if IS_SMALL || P::any_exceeds([inner * outer], [P::zero()]) {
-            let of_outer = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, false, |[own, _]| {
-                P::all(F::stored(*own))
-            });
-            let of_inner = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, true, |[_, own]| {
-                P::all(F::stored(*own))
-            });
-            let both = listed(of_outer).zip(listed(of_inner));
-            write_columns(
-                found,
-                first,
-                both.map(|(of_outer, of_inner)| of_outer * outer + of_inner * inner),
-            );
-        } else {
-            let own = of_nodes::<F, P, ROWS>(&seen, &spin, &by_spin, false, |kinds| {
+        let are_mixed = P::any_exceeds([inner * (P::one() - inner)], [P::zero()]);
+        if ROWS == NO_ROWS && !are_mixed && !IS_SMALL {
+            let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
             });
-            write_columns(found, first, listed(own));
+            let seen = StripCreepage { x, y, spread, start };
+            let found = forces(&seen, &Spin::new(spin), &constants, |_, _| ()).0;
+            let StripForces { fx, fy, mx, stick } = found;
+            for (places, own) in carried.iter_mut().zip([fx, fy, mx, stick]) {
+                for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
+                    *place = own.lane(k);
+                }
+            }
+            continue;
         }
-    }
-}
-
-/// Replaces the numbers of the strips from the first one on.
-#[inline(always)]
-fn write_columns<F: Real, P: Strips<F>, const ROWS: usize>(
-    (carried, slopes): &mut ForcesAndSlopes<F, ROWS>, first: usize,
-    numbers: impl Iterator<Item = P>,
-) {
-    let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
-    for (column, own) in columns.zip(numbers) {
-        for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
-            *place = own.lane(k);
+        let put = |places: &mut [F; 8], kinds: Lanes<P, 2>| {
+            let [outer, own] = kinds.numbers();
+            let mixed = outer * (P::one() - inner) + own * inner;
+            for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
+                *place = mixed.lane(k);
+            }
+        };
+        if cfg!(target_os = "none") && ROWS == FORCE_ROWS {
+            // One kind after the other, by the function of all strips.
+            let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+            let by_spin = SpinSlopes::new(&spin);
+            let [(outer, of_outer), (own, of_own)] =
+                [false, true].map(|kind| alone_with_slopes(&seen, &spin, kind, &by_spin));
+            let own_slopes = of_outer.as_flattened().iter().zip(of_own.as_flattened());
+            for (slopes, (outer, own)) in slopes.as_flattened_mut().iter_mut().zip(own_slopes) {
+                put(slopes, Lanes::new([*outer, *own]));
+            }
+            let outer = [outer.fx, outer.fy, outer.mx, outer.stick];
+            let both = outer.into_iter().zip([own.fx, own.fy, own.mx, own.stick]);
+            for (carried, (outer, own)) in carried.iter_mut().zip(both) {
+                put(carried, Lanes::new([outer, own]));
+            }
+            continue;
         }
-    }
-}
-
-/// The forces of strips, and the derivatives of `f_x, f_y, m_x`.
-type OfNodes<P> = (StripForces<P>, [[P; 5]; FORCE_ROWS]);
-
-/// In the order of [`ForcesAndSlopes`].
-#[inline]
-fn listed<P>((StripForces { fx, fy, mx, stick }, slopes): OfNodes<P>) -> impl Iterator<Item = P> {
-    [fx, fy, mx, stick].into_iter().chain(slopes.into_iter().flatten())
-}
-
-/// The forces with the nodes that `read` chooses; of one strip alone they are those of its kind.
-/// Without rows the derivatives are zero.
-#[inline(always)]
-fn of_nodes<F: Real, P: Strips<F>, const ROWS: usize>(
-    seen: &StripCreepage<P>, spin: &Spin<P>, by_spin: &SpinSlopes<P>, is_inner: bool,
-    read: impl Fn(&[F::Stored; 2]) -> P,
-) -> OfNodes<P> {
-    let constants = Tables::<F::Stored, _>::new(read);
-    if ROWS == NO_ROWS {
-        (forces(seen, spin, &constants, |_, _| ()).0, [[P::zero(); 5]; FORCE_ROWS])
-    } else if P::COUNT == 1 && IS_SMALL {
-        alone_with_slopes(seen, spin, is_inner, by_spin)
-    } else {
-        forces_and_slopes(seen, spin, &constants, by_spin)
+        // First with the nodes of one kind of strip, then with those of the other.
+        let [x, y, spin, spread, start] =
+            [x, y, spin, spread, start].map(|strips| Lanes::new([strips; 2]));
+        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
+            Lanes::new(kinds.map(|constant| P::all(F::stored(constant))))
+        });
+        let StripForces { fx, fy, mx, stick } = if ROWS == FORCE_ROWS {
+            let by_spin = SpinSlopes::new(&spin);
+            let (carried, own) = forces_and_slopes(&seen, &spin, &constants, &by_spin);
+            for (slopes, own) in slopes.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
+                put(slopes, *own);
+            }
+            carried
+        } else {
+            forces(&seen, &spin, &constants, |_, _| ()).0
+        };
+        for (carried, own) in carried.iter_mut().zip([fx, fy, mx, stick]) {
+            put(carried, own);
+        }
     }
 }
