@@ -14,7 +14,6 @@ mod clock;
 #[allow(dead_code)]
 #[path = "common/lines.rs"]
 mod lines;
-#[allow(dead_code)]
 #[path = "../benches/peers/mod.rs"]
 mod peers;
 #[allow(dead_code)]
@@ -234,7 +233,7 @@ impl Stand {
     fn poses(&mut self) -> Vec<Pose> {
         let mut random = Random::new(71);
         let bar = |k: usize| {
-            if k % 100 == 0 {
+            if k.is_multiple_of(100) {
                 println!("{k} of {POSES} poses")
             }
         };
