@@ -2391,8 +2391,8 @@ typedef struct kstrip_table {
     /** Their number, or a larger one; else KSTRIP_ERROR_TABLE. */
     uint32_t bytes;
     /**
-     * 0: outside the table the contacts are computed from the profiles. Any other number:
-     * KSTRIP_ERROR_TABLE_RANGE there.
+     * 0: outside the table the contacts are computed from the profiles, and at its ends force and
+     * moment jump by its error. Any other number: KSTRIP_ERROR_TABLE_RANGE outside.
      */
     int32_t only;
 } kstrip_table;
@@ -2414,7 +2414,8 @@ typedef struct kstrip_table {
  * @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
  * @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
  *                            constant.
- * @param table           a contact table of all pairs; NULL: contacts are computed.
+ * @param table           a contact table of all pairs, whose results are those of
+ *                        kstrip_wheel_on_table(); NULL: contacts are computed.
  * @param[out] wrenches   array of count elements; receives force and moment, and with them the
  *                        number of contacts.
  * @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -2426,9 +2427,10 @@ typedef struct kstrip_table {
  *                        KSTRIP_CONTACTS_CAPACITY.
  * @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
  *                        NULL: not needed.
- * @return as kstrip_wheel_on_rail(): the first error of a wheel, or the most serious warning;
- *         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
- *         of the alignment), KSTRIP_ERROR_CAPACITY (room is above KSTRIP_CONTACTS_CAPACITY).
+ * @return as kstrip_wheel_on_rail(), with a table as kstrip_wheel_on_table() too: the first error
+ *         of a wheel, or the most serious warning; before any wheel KSTRIP_ERROR_NULL (a required
+ *         array), KSTRIP_ERROR_STRIDE (no multiple of the alignment), KSTRIP_ERROR_CAPACITY (room
+ *         is above KSTRIP_CONTACTS_CAPACITY).
  */
 kstrip_status kstrip_wheels_on_rails(const struct kstrip_surface *rail,
                                      const struct kstrip_surface *wheel,

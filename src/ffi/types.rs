@@ -255,8 +255,8 @@ pub struct kstrip_table {
     pub data: *const u8,
     /// Their number, or a larger one; else KSTRIP_ERROR_TABLE.
     pub bytes: u32,
-    /// 0: outside the table the contacts are computed from the profiles. Any other number:
-    /// KSTRIP_ERROR_TABLE_RANGE there.
+    /// 0: outside the table the contacts are computed from the profiles, and at its ends force and
+    /// moment jump by its error. Any other number: KSTRIP_ERROR_TABLE_RANGE outside.
     pub only: i32,
 }
 

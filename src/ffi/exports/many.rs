@@ -33,7 +33,8 @@ use crate::wheelset::settle::WheelsetLoads;
 /// @param velocities, velocity_stride  velocity of each wheel, and its stride [bytes].
 /// @param friction, friction_stride  as in kstrip_wheel_on_rail(), with its stride [bytes]; NULL:
 ///                            constant.
-/// @param table           a contact table of all pairs; NULL: contacts are computed.
+/// @param table           a contact table of all pairs, whose results are those of
+///                        kstrip_wheel_on_table(); NULL: contacts are computed.
 /// @param[out] wrenches   array of count elements; receives force and moment, and with them the
 ///                        number of contacts.
 /// @param[out] derivatives, by_position  arrays of count elements, as in kstrip_wheel_on_rail();
@@ -45,9 +46,10 @@ use crate::wheelset::settle::WheelsetLoads;
 ///                        KSTRIP_CONTACTS_CAPACITY.
 /// @param[out] statuses   array of count elements; receives those of kstrip_wheel_on_rail();
 ///                        NULL: not needed.
-/// @return as kstrip_wheel_on_rail(): the first error of a wheel, or the most serious warning;
-///         before any wheel KSTRIP_ERROR_NULL (a required array), KSTRIP_ERROR_STRIDE (no multiple
-///         of the alignment), KSTRIP_ERROR_CAPACITY (room is above KSTRIP_CONTACTS_CAPACITY).
+/// @return as kstrip_wheel_on_rail(), with a table as kstrip_wheel_on_table() too: the first error
+///         of a wheel, or the most serious warning; before any wheel KSTRIP_ERROR_NULL (a required
+///         array), KSTRIP_ERROR_STRIDE (no multiple of the alignment), KSTRIP_ERROR_CAPACITY (room
+///         is above KSTRIP_CONTACTS_CAPACITY).
 #[unsafe(export_name = symbol!("kstrip_wheels_on_rails"))]
 pub unsafe extern "C" fn kstrip_wheels_on_rails(
     rail: Option<&PreparedProfile<F>>, wheel: Option<&PreparedProfile<F>>, count: u32,
