@@ -9,8 +9,8 @@ const SLOW_SHARE: f64 = 0.5;
 const EMPTY: u32 = 2;
 /// Quotient of two stiffnesses from which another contact begins between the heights.
 const STIFFER: f64 = 2.0;
-/// Largest change of a secant's slope by the bend of the force, as a share of it.
-const BEND: f64 = 0.5;
+/// Largest change of a secant's slope as the stiffness changes, as a share of it.
+const CORRECTION: f64 = 0.5;
 
 /// A tried height, and by how much the straightened force there exceeds the requested one.
 type Tried<F> = (F, F);
@@ -68,9 +68,10 @@ impl<F: Float> Heights<F> {
         // f ≈ f₀ + (h − h₀) (f₀₁ + (h − h₁) f''/2): f₀₁ of the secant, f'' of Hertz's slopes
         let secant = before.filter(is_alike).map(|((place, more), other)| {
             let secant = (excess - more) / (height - place);
-            let bend = (own - other) / (height - place).times(2.0);
-            let bend = bend * (height - excess / secant - place);
-            if bend.abs() < secant.abs().times(BEND) { secant + bend } else { secant }
+            let second = (own - other) / (height - place).times(2.0);
+            let correction = second * (height - excess / secant - place);
+            let is_small = correction.abs() < secant.abs().times(CORRECTION);
+            if is_small { secant + correction } else { secant }
         });
         let slope = secant.or(by_hertz).filter(|slope| *slope > F::zero());
         let is_slow = excess.abs() > earlier.times(SLOW_SHARE);
