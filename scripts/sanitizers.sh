@@ -117,7 +117,7 @@ if has valgrind; then
    a relaxed atomic, which helgrind takes for a plain byte: whether the processor has wide registers
    Helgrind:Race
    ...
-   fun:*are_wide*
+   fun:*init_get*
    ...
 }
 SUPP
