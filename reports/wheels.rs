@@ -14,6 +14,9 @@ mod clock;
 #[allow(dead_code)]
 #[path = "common/lines.rs"]
 mod lines;
+#[allow(dead_code)]
+#[path = "common/peer_methods.rs"]
+mod peer_methods;
 #[path = "../benches/peers/mod.rs"]
 mod peers;
 #[allow(dead_code)]
@@ -26,7 +29,7 @@ use kstrip::table::{TableSpec, fill_part, finish};
 use kstrip_testing::patch_reference::{number, rows_of};
 use kstrip_testing::prelude::*;
 use lines::Lines;
-use peers::Input;
+use peer_methods::input_of;
 use peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use pictures::{AMBER, Align, Axis, BLUE, Drawn, INK, Plot, VERMILION, dot, picture, write};
 use std::hint::black_box;
@@ -182,29 +185,14 @@ impl Stand {
         };
         let pair = combine(&steel, &steel).expect("steel");
         let (contact, ..) = from_hertz(&radii, &pair, load, FRICTION).expect("an ellipse");
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
-        let LinearCoefficients { c11, c22, c23, .. } = LinearCoefficients::at(a / b, poisson_ratio);
-        let input = Input {
-            a,
-            b,
-            normal_force,
-            shear_modulus,
-            poisson_ratio,
-            friction,
-            longitudinal,
-            lateral,
-            spin,
-            c11,
-            c22,
-            c23,
-        };
+        let input = input_of(&contact, &Creepage { longitudinal, lateral, spin });
         let found = peers::fastsim::solve::<10, 10, 10>(
             &self.grid,
             &input,
             Flexibility::Three,
             Bound::Parabolic,
         );
-        [found.fx, found.fy].map(|force| force * friction * load)
+        [found.fx, found.fy].map(|force| force * FRICTION * load)
     }
 
     /// The ellipses at the touch points of the contacts of the last direct call, and the

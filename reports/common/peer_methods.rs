@@ -3,8 +3,31 @@
 
 use crate::peers::fastsim::{Bound, Flexibility, Grid, Layout};
 use crate::peers::{Input, Output, fastrip, fastsim};
+use kstrip::contact::Contact;
+use kstrip::contact::creepage::Creepage;
 use kstrip::linear::LinearCoefficients;
 use kstrip_testing::reference::{Answer, Case, CoefficientCase, Errors};
+
+/// A contact in motion as the other methods want it, with the library's linear coefficients.
+pub fn input_of(contact: &Contact<f64>, motion: &Creepage<f64>) -> Input {
+    let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = *contact;
+    let Creepage { longitudinal, lateral, spin } = *motion;
+    let LinearCoefficients { c11, c22, c23, .. } = LinearCoefficients::at(a / b, poisson_ratio);
+    Input {
+        a,
+        b,
+        normal_force,
+        shear_modulus,
+        poisson_ratio,
+        friction,
+        longitudinal,
+        lateral,
+        spin,
+        c11,
+        c22,
+        c23,
+    }
+}
 
 /// The contact of a case as the other methods want it. For the cases of `open.csv` they get the
 /// linear coefficients that CONTACT itself computed, else those of the library.
@@ -14,21 +37,7 @@ pub fn input(case: &Case, table: &[CoefficientCase]) -> Input {
         .find(|c| c.axis_ratio == case.axis_ratio && c.poisson_ratio == case.poisson_ratio);
     let c = LinearCoefficients::at(case.axis_ratio, case.poisson_ratio);
     let [c11, c22, c23, _] = known.map_or([c.c11, c.c22, c.c23, c.c33], |known| known.reference);
-    let (contact, motion) = (case.contact::<f64>(), case.motion::<f64>());
-    Input {
-        a: contact.a,
-        b: contact.b,
-        normal_force: contact.normal_force,
-        shear_modulus: contact.shear_modulus,
-        poisson_ratio: contact.poisson_ratio,
-        friction: contact.friction,
-        longitudinal: motion.longitudinal,
-        lateral: motion.lateral,
-        spin: motion.spin,
-        c11,
-        c22,
-        c23,
-    }
+    Input { c11, c22, c23, ..input_of(&case.contact(), &case.motion()) }
 }
 
 /// A method: forces in units of `μ N` from a contact in motion.

@@ -12,7 +12,6 @@ use kstrip::forces::derivatives::Derivatives;
 use kstrip::forces::prepared::Prepared;
 use kstrip::forces::{Model, Solution};
 use kstrip::friction::SlipFriction;
-use kstrip::linear::LinearCoefficients;
 use kstrip::number::Float;
 use kstrip_testing::names::*;
 use kstrip_testing::random::Random;
@@ -440,26 +439,7 @@ fn peers() -> Vec<(String, Solver)> {
 
 /// What the other methods are handed: their coefficients are ready-made.
 fn peer_inputs(set: Set) -> Vec<Input> {
-    let of = |(contact, creepage): State<f64>| {
-        let Contact { a, b, normal_force, shear_modulus, poisson_ratio, friction, .. } = contact;
-        let Creepage { longitudinal, lateral, spin } = creepage;
-        let LinearCoefficients { c11, c22, c23, .. } = LinearCoefficients::at(a / b, poisson_ratio);
-        Input {
-            a,
-            b,
-            normal_force,
-            shear_modulus,
-            poisson_ratio,
-            friction,
-            longitudinal,
-            lateral,
-            spin,
-            c11,
-            c22,
-            c23,
-        }
-    };
-    inputs(set).into_iter().map(of).collect()
+    inputs(set).iter().map(|(contact, creepage)| input_of(contact, creepage)).collect()
 }
 
 fn peer_rows(cases: &Cases, rows: &mut Vec<Row>) {
