@@ -56,7 +56,7 @@ impl<F: Float> TableSpec<F> {
         let most = counts.most_bytes()?;
         let block = block.get_mut(..most).ok_or(Error::Capacity)?;
         let pair = plain(scene.pair);
-        let scene = Scene { pair: &pair, strips: StripCount::Sixteen, ..*scene };
+        let scene = Scene { pair: &pair, strips: StripCount::Sixteen, table: None, ..*scene };
         let lateral = self.lateral_nodes(&scene, counts.lateral, memory)?;
         write_header(block, &counts, most);
         let [.., heights, records, _] = counts.sections();

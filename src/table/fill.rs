@@ -89,7 +89,7 @@ pub(super) fn fill<F: Float>(
     scene.rail.check()?;
     scene.wheel.check()?;
     let pair = plain(scene.pair);
-    let fine = Scene { pair: &pair, strips: StripCount::SixtyFour, ..*scene };
+    let fine = Scene { pair: &pair, strips: StripCount::SixtyFour, table: None, ..*scene };
     let mut position = position_of(&table, number);
     for level in 0..table.counts.levels {
         let load = table.load::<F>(level);

@@ -141,7 +141,8 @@ impl<F: Float> TableReport<F> {
     ) -> Result<(), Error> {
         let pair = WheelPair { friction: F::of(FRICTION), ..plain(scene.pair) };
         let law = Law { model: Model::Strip, falling: None };
-        let direct = Scene { pair: &pair, strips: StripCount::SixtyFour, law, ..*scene };
+        let direct =
+            Scene { pair: &pair, strips: StripCount::SixtyFour, law, table: None, ..*scene };
         let by_table = TableScene { table: *table, pair: &pair, law };
         let (mut forces, mut loads) = (Errors::new(), Errors::new());
         for number in 1..=poses {

@@ -596,3 +596,24 @@ fn many_wheels_take_a_table() {
 
 /// Load of each of many wheels \[N\].
 const LOAD: f64 = 70e3;
+
+/// A table of a scene with a table is that of its profiles.
+#[test]
+fn table_is_filled_from_profiles_alone() {
+    let Built { rail, wheel, table, .. } = built();
+    let spec = TableSpec { lateral_nodes: 9, levels: 3, yaw: 0.0, ..SPEC };
+    let plain = scene_of(rail, wheel, &PAIR);
+    let [of_profiles, of_table] = [None, Some(source(table, false))].map(|table| {
+        let scene = Scene { table, ..plain };
+        let mut memory = zeroed::<Workspace<f64>>();
+        let [bytes, parts] = spec.size(wheel).unwrap();
+        let mut block = vec![0; bytes as usize];
+        spec.begin_table(&scene, &mut memory, &mut block).unwrap();
+        for part in 0..parts {
+            fill_part(&scene, part as usize, &mut memory, &mut block).unwrap();
+        }
+        let report = finish(&scene, 20, &mut memory, &mut block).unwrap();
+        (block, report.force_largest.to_bits())
+    });
+    assert!(of_profiles == of_table);
+}
