@@ -106,10 +106,7 @@ typedef int32_t kstrip_status;
 /** Success. */
 #define KSTRIP_OK 0
 
-/**
- * Warning: the spin parameter |psi| is 1 or more, beyond the theory of 1967, and the result is its
- * continuation by this library: finite, continuous and bounded by mu N.
- */
+/** Warning: the spin parameter |psi| is 1 or more, which is beyond the theory of 1967. */
 #define KSTRIP_WARNING_SPIN 1
 /** Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
 #define KSTRIP_WARNING_RANGE 2
@@ -117,7 +114,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
 /**
  * Warning: more than one coefficient of friction fits: with falling friction the result has the
- * largest, which is reached from rest, and an estimate is the smallest.
+ * largest, reached from rest; an estimate is the smallest.
  */
 #define KSTRIP_WARNING_SEVERAL_FRICTIONS 4
 /** Warning: an iteration ended before its result was accurate to rounding. */
@@ -162,8 +159,8 @@ typedef int32_t kstrip_status;
  */
 #define KSTRIP_WARNING_CONFORMAL 17
 /**
- * Warning: the normal turns by more than 30 degrees over a contact of a wheel, so that one plane
- * of contact is not enough: forces may be off by some tenths of mu N.
+ * Warning: the normal turns by more than 30 degrees over a contact of a wheel: forces may be off
+ * by some tenths of mu N.
  */
 #define KSTRIP_WARNING_ANGLE_RANGE 19
 /** Warning: a contact region ends with the profile, as if the bodies ended there. */
@@ -172,8 +169,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_UNDETERMINED 20
 /**
  * Warning: implausible profile, upside down or the wrong way round, or a contact of a wheel above
- * 30 degrees: z must point down, and the flange of a wheel and the gauge side of a rail lie at
- * small y.
+ * 30 degrees.
  */
 #define KSTRIP_WARNING_ORIENTATION 21
 /** Warning: implausible profile, longer than 1 m: it is probably in mm. */
@@ -186,9 +182,8 @@ typedef int32_t kstrip_status;
 /** Warning: friction and Poisson's ratio of a wheel and a rail are both 0. */
 #define KSTRIP_WARNING_UNSET 24
 /**
- * Warning: no ordinary contact supports the wheel: the support falls with depth on the way to this
- * height, because friction pulls the wheel down, or the peak pressure exceeds a twentieth of the
- * shear modulus.
+ * Warning: no ordinary contact supports the wheel: its support falls with depth, or its peak
+ * pressure exceeds a twentieth of the shear modulus.
  */
 #define KSTRIP_WARNING_SUPPORT 25
 /**
@@ -198,7 +193,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_WARNING_PROFILE_COARSE 26
 /**
  * Warning: a contact has more local minima than its strips resolve, or a wheel has more than four
- * contacts and the nearest are merged: the load may jump.
+ * contacts: the load may jump.
  */
 #define KSTRIP_WARNING_ROUGH 27
 /**
@@ -246,10 +241,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_MODEL -8
 /** Error: the strip count is not 4, 8, 16, 32 or 64. */
 #define KSTRIP_ERROR_STRIP_COUNT -9
-/**
- * Error: a radius is zero or NaN, or the summed curvature in a plane is not positive, so that the
- * bodies do not touch in an ellipse.
- */
+/** Error: a radius is zero or NaN, or the summed curvature in a plane is not positive. */
 #define KSTRIP_ERROR_CURVATURE -10
 /** Error: the rolling speed is not positive. */
 #define KSTRIP_ERROR_ROLLING_SPEED -11
@@ -316,11 +308,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_STRIP_ORDER -42
 /** Error: there are more strips than a patch can hold, or more contacts than a wheel may have. */
 #define KSTRIP_ERROR_PATCH_SIZE -43
-/**
- * Error: a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer than 4) or
- * a negative step, or numbers that must ascend do not, such as the y of a patch, the lengths of a
- * gap, the places of friction or shifts.
- */
+/** Error: a profile has too few points or a negative step, or numbers that must ascend do not. */
 #define KSTRIP_ERROR_PROFILE -44
 /** Error: a profile ends where the bodies would touch, or the wheel is beside the rail. */
 #define KSTRIP_ERROR_PROFILE_END -45
@@ -337,19 +325,18 @@ typedef int32_t kstrip_status;
 /** Error: the requested support of a wheel, or the vertical load of a wheelset, is not positive. */
 #define KSTRIP_ERROR_SUPPORT -51
 /**
- * Error: a yaw, roll or cant is 1 rad or more, or a yaw or roll is above 0.2 rad where the wheel
- * is beside the rail: angles are in radians, and this angle is probably in degrees.
+ * Error: a yaw, roll or cant is 1 rad or more, or a wheel beside the rail has a yaw or roll above
+ * 0.2 rad.
  */
 #define KSTRIP_ERROR_ANGLE -52
 /**
- * Error: the wheel is more than 0.7 m beside the rail or 5 m above or below it, its radius is
- * above 5 m, or a profile is longer than 1 m: a position, a gauge, a distance of the wheels or a
- * profile is probably in mm.
+ * Error: the wheel is over 0.7 m beside or 5 m above or below the rail, its radius exceeds 5 m, or
+ * a profile 1 m.
  */
 #define KSTRIP_ERROR_LENGTH_UNIT -53
 /**
- * Error: the wheel is beside the rail, and the profile of the rail has a flange while that of the
- * wheel has the head of a rail: wheel and rail are probably swapped.
+ * Error: the wheel is beside the rail, the rail's profile has a flange, and the wheel's profile
+ * has the head of a rail.
  */
 #define KSTRIP_ERROR_SWAPPED -54
 /**
@@ -396,8 +383,8 @@ typedef int32_t kstrip_status;
  */
 #define KSTRIP_ERROR_TABLE_PAIR -82
 /**
- * Error: a range of a contact table is empty or negative, no lateral position of it has a contact,
- * there are too few nodes, the strips are not 12 to 32, or there is no such part.
+ * Error: a contact table's range is empty, negative or without contact, nodes are too few, strips
+ * are not 12 to 32, or no such part exists.
  */
 #define KSTRIP_ERROR_TABLE_SPEC -83
 /** Error: a position is outside the ranges of a contact table, or its load is above the largest. */

@@ -91,8 +91,7 @@ statuses! {
         KSTRIP_ERROR_STRIP_COUNT StripCount = -9:
             "the strip count is not 4, 8, 16, 32 or 64", "0 stands for 16";
         KSTRIP_ERROR_CURVATURE Curvature = -10:
-            "a radius is zero or NaN, or the summed curvature in a plane is not positive, so \
-             that the bodies do not touch in an ellipse",
+            "a radius is zero or NaN, or the summed curvature in a plane is not positive",
             "a flat body has the radius INFINITY, and a concave one a negative radius";
         KSTRIP_ERROR_ROLLING_SPEED RollingSpeed = -11:
             "the rolling speed is not positive", "let x point in the rolling direction";
@@ -169,10 +168,9 @@ statuses! {
             "there are more strips than a patch can hold, or more contacts than a wheel may have",
             "use fewer and wider strips, or a smoother profile";
         KSTRIP_ERROR_PROFILE Profile = -44:
-            "a profile has too few points (fewer than 2; for kstrip_prepare_profile() fewer \
-             than 4) or a negative step, or numbers that must ascend do not, such as the y of a \
-             patch, the lengths of a gap, the places of friction or shifts",
-            "pass more points, and sort these numbers";
+            "a profile has too few points or a negative step, or numbers that must ascend do not",
+            "pass at least 2 points, 4 for kstrip_prepare_profile(), and sort the y of a patch, \
+             gap lengths, friction places and shifts";
         KSTRIP_ERROR_PROFILE_END ProfileEnd = -45:
             "a profile ends where the bodies would touch, or the wheel is beside the rail",
             "pass more of the profile, or its rounded edge where the body ends";
@@ -192,19 +190,18 @@ statuses! {
             "the requested support of a wheel, or the vertical load of a wheelset, is not positive",
             "it must be > 0 (newtons); the support points up and the load down";
         KSTRIP_ERROR_ANGLE Angle = -52:
-            "a yaw, roll or cant is 1 rad or more, or a yaw or roll is above 0.2 rad where the \
-             wheel is beside the rail: angles are in radians, and this angle is probably in \
-             degrees",
-            "multiply degrees by 0.01745";
+            "a yaw, roll or cant is 1 rad or more, or a wheel beside the rail has a yaw or roll \
+             above 0.2 rad",
+            "it is probably in degrees: multiply degrees by 0.01745";
         KSTRIP_ERROR_LENGTH_UNIT LengthUnit = -53:
-            "the wheel is more than 0.7 m beside the rail or 5 m above or below it, its radius is \
-             above 5 m, or a profile is longer than 1 m: a position, a gauge, a distance of the \
-             wheels or a profile is probably in mm",
-            "lengths are in metres";
+            "the wheel is over 0.7 m beside or 5 m above or below the rail, its radius exceeds 5 \
+             m, or a profile 1 m",
+            "lengths are in metres, and a position, a gauge, a distance of the wheels or a profile \
+             is probably in mm";
         KSTRIP_ERROR_SWAPPED Swapped = -54:
-            "the wheel is beside the rail, and the profile of the rail has a flange while that of \
-             the wheel has the head of a rail: wheel and rail are probably swapped",
-            "pass the rail before the wheel";
+            "the wheel is beside the rail, the rail's profile has a flange, and the wheel's \
+             profile has the head of a rail",
+            "they are probably swapped: pass the rail before the wheel";
         KSTRIP_ERROR_ORIENTATION Orientation = -55:
             "the wheel is beside the rail, and a profile is upside down, the wrong way round, or \
              not that of a wheel or a rail",
@@ -255,9 +252,8 @@ statuses! {
              rail is a roller",
             "pass the pair that the table was made for, with a straight rail";
         KSTRIP_ERROR_TABLE_SPEC TableSpec = -83:
-            "a range of a contact table is empty or negative, no lateral position of it has a \
-             contact, there are too few nodes, the strips are not 12 to 32, or there is no such \
-             part",
+            "a contact table's range is empty, negative or without contact, nodes are too few, \
+             strips are not 12 to 32, or no such part exists",
             "pass ranges with contacts, and the parts that kstrip_table_size() counts";
         KSTRIP_ERROR_TABLE_RANGE TableRange = -84:
             "a position is outside the ranges of a contact table, or its load is above the \
@@ -296,9 +292,8 @@ statuses! {
         #[default]
         KSTRIP_OK None = 0: "ok";
         KSTRIP_WARNING_SPIN SpinBeyondTheory = 1 gravity 1:
-            "the spin parameter |psi| is 1 or more, beyond the theory of 1967, and the result \
-             is its continuation by this library: finite, continuous and bounded by mu N",
-            "use STRIP or TOTAL";
+            "the spin parameter |psi| is 1 or more, which is beyond the theory of 1967",
+            "the result is a continuation by this library, bounded by mu N: use STRIP or TOTAL";
         KSTRIP_WARNING_RANGE OutsideRange = 2 gravity 1:
             "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT",
             "the result is bounded by mu N";
@@ -306,7 +301,7 @@ statuses! {
             "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
         KSTRIP_WARNING_SEVERAL_FRICTIONS SeveralFrictions = 4 gravity 5:
             "more than one coefficient of friction fits: with falling friction the result has the \
-             largest, which is reached from rest, and an estimate is the smallest";
+             largest, reached from rest; an estimate is the smallest";
         KSTRIP_WARNING_NOT_CONVERGED NotConverged = 5 gravity 6:
             "an iteration ended before its result was accurate to rounding",
             "the result is the nearest that was found";
@@ -346,8 +341,8 @@ statuses! {
              are not half-spaces",
             "the result is that of half-spaces";
         KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19 gravity 2:
-            "the normal turns by more than 30 degrees over a contact of a wheel, so that one \
-             plane of contact is not enough: forces may be off by some tenths of mu N";
+            "the normal turns by more than 30 degrees over a contact of a wheel: forces may be off \
+             by some tenths of mu N";
         KSTRIP_WARNING_PROFILE_END ProfileEnd = 18 gravity 2:
             "a contact region ends with the profile, as if the bodies ended there",
             "unless they do, pass more of the profile";
@@ -356,8 +351,9 @@ statuses! {
             "fit fewer, or measure at other creepages";
         KSTRIP_WARNING_ORIENTATION Orientation = 21 gravity IMPLAUSIBLE:
             "implausible profile, upside down or the wrong way round, or a contact of a wheel \
-             above 30 degrees: z must point down, and the flange of a wheel and the gauge side of \
-             a rail lie at small y";
+             above 30 degrees",
+            "z must point down, and the flange of a wheel and the gauge side of a rail lie at \
+             small y";
         KSTRIP_WARNING_PROFILE_SIZE ProfileSize = 22 gravity IMPLAUSIBLE:
             "implausible profile, longer than 1 m: it is probably in mm";
         KSTRIP_WARNING_MODULUS Modulus = 23 gravity IMPLAUSIBLE:
@@ -367,17 +363,16 @@ statuses! {
             "friction and Poisson's ratio of a wheel and a rail are both 0",
             "set them, or one of them if this is meant";
         KSTRIP_WARNING_SUPPORT Support = 25 gravity 5:
-            "no ordinary contact supports the wheel: the support falls with depth on the way to \
-             this height, because friction pulls the wheel down, or the peak pressure exceeds a \
-             twentieth of the shear modulus",
-            "check velocity, friction and load";
+            "no ordinary contact supports the wheel: its support falls with depth, or its peak \
+             pressure exceeds a twentieth of the shear modulus",
+            "friction may pull the wheel down: check velocity, friction and load";
         KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26 gravity 2:
             "a contact of a wheel is narrower than four point spacings of a profile, so that the \
              pressure depends on the shape between the points",
             "pass more points";
         KSTRIP_WARNING_ROUGH Rough = 27 gravity 2:
             "a contact has more local minima than its strips resolve, or a wheel has more than \
-             four contacts and the nearest are merged: the load may jump",
+             four contacts: the load may jump",
             "smooth the profile, or take more strips";
         KSTRIP_WARNING_CURVATURE Curvature = 28 gravity IMPLAUSIBLE:
             "implausible curvature of the track, above 0.2 per m: it is probably the radius of \

@@ -28,7 +28,8 @@ fn strings(text: &str) -> Vec<String> {
         .collect()
 }
 
-/// A row for each status: its constant, its number, its cause with the limit, and the remedy.
+/// A row for each status: its constant, its number, its cause with the limit, and the remedy, each
+/// of at most 25 words.
 fn statuses() -> String {
     let source = read("src/status.rs");
     let mut tables = [String::new(), String::new()];
@@ -45,6 +46,9 @@ fn statuses() -> String {
             (None, None) => (first, String::new()),
         };
         let row = format!("| `KSTRIP_{name}` | {number} | {cause} | {remedy} |\n");
+        for text in [&cause, &remedy] {
+            assert!(text.split_whitespace().count() <= 25, "KSTRIP_{name}: {text}");
+        }
         tables[usize::from(name.starts_with("ERROR"))] += &row.replace("|psi|", "\\|psi\\|");
     }
     let [warnings, errors] = tables;
