@@ -248,7 +248,7 @@ impl Report {
         let here = machine.split("), ").next().unwrap_or(machine).replace(" (family", ", family");
         self.line(
             "The table has the time of one call of a model divided by the time of FASTSIM \
-             10x10, for random contacts with spin in double precision.\n",
+             10x10. The contacts are random, with spin, in double precision.\n",
         );
         let mut header = vec![
             "model".to_owned(),

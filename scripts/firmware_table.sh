@@ -29,7 +29,7 @@ say "# Written by scripts/firmware.sh: call or function; bytes of flash, of flas
 say
 say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
 if commit=$(git log -1 --format=%h -- src 2>/dev/null); then
-    say "Library sources at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
+    say "The sources of the library are at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
 fi
 say
 say "### Each function on a Cortex-M4F"
@@ -41,7 +41,7 @@ awk '{ f = $1; name = f == last ? "" : "`" f "`"; last = f
     printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $2 == "-" ? "" : $2, $3, $4 == "-" ? "" : $4, $5, $6, $7, $8, $9, $10 }' "$out/functions.txt" | sed 's/| - /| /g'
 say "| everything f32 | | $(size all 2) | $(size total_all 2) | | | | | | |"
 say
-say "Flash with some features only, in bytes: everything f32, and three functions alone:"
+say "The table has the flash with some features only, in bytes, of everything f32 and of three functions alone:"
 say
 say "| features | functions | everything | \`kstrip_evaluate_f32\` | \`kstrip_solve_motion_f32\` | \`kstrip_estimate_friction_f32\` |"
 say "|---|---:|---:|---:|---:|---:|"
@@ -77,7 +77,7 @@ cross=arm-none-eabi-gcc
 link_core=$m4
 for set in total; do
     link $set "$out/m4f.a" kstrip_solve_${set}_f32 || fail "link of $set"
-    say "From the link map; functions of 900 bytes and more. \`kstrip_solve_${set}_f32\`, $(size kstrip_solve_${set}_f32 2) bytes:"
+    say "The link map has these functions of 900 bytes and more for \`kstrip_solve_${set}_f32\`, $(size kstrip_solve_${set}_f32 2) bytes:"
     say
     say '```text'
     arm-none-eabi-nm -C -S --size-sort -r "$out/$set.elf" | awk '
@@ -89,13 +89,19 @@ for set in total; do
 done
 say "### Proofs"
 say
-say "* No panic, no allocation. Cortex-M4F: $m4_proof; the same holds for the choices of features above. Cortex-M7: $m7_proof. riscv32imac: $riscv_proof."
-say "* Double precision in single-precision functions: $doubles."
-say "* Self-test, $cases inputs, five models, mps2-an386 and mps2-an500: bit for bit the results of this machine; compiled for Cortex-M7: $m7_bits; riscv32imac (floating point by software) on QEMU's virt board: $riscv_says."
-say "* CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\`: $cmake_says."
-say "* The loop of $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt")."
+say "| proof | result |"
+say "|---|---|"
+say "| panics and allocators, Cortex-M4F | $m4_proof; the same holds for the choices of features above |"
+say "| panics and allocators, Cortex-M7 | $m7_proof |"
+say "| panics and allocators, riscv32imac | $riscv_proof |"
+say "| double precision in single-precision functions | $doubles |"
+say "| self-test, $cases inputs, five models, mps2-an386 and mps2-an500 | bit for bit the results of this machine |"
+say "| self-test compiled for Cortex-M7 | $m7_bits |"
+say "| self-test on riscv32imac, floating point by software, QEMU's virt board | $riscv_says |"
+say "| CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\` | $cmake_says |"
+say "| the loop of twin_disc | $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt" | sed 's/^twin_disc: //') |"
 say
-say "Single against double precision on the same inputs, in units of mu N (moment: mu N sqrt(a b)):"
+say "The list compares single with double precision on the same inputs. Units are mu N, of the moment mu N sqrt(a b):"
 say
 say '```text'
 cat "$out/selftest.double.txt"

@@ -82,7 +82,7 @@ table=$(awk '
             else printf "| %s | %d | %d | %d | %d | %d ", m, solve[m, 4], solve[m, 8], solve[m, 16], solve[m, 32], solve[m, 64]
             printf "| %d | %d | %d |\n", other[m, "derivatives"], other[m, "layer"], other[m, "layer_derivatives"]
         }
-        print "\nPatches, wheels and wheelsets with STRIP. Derivatives are with respect to velocity, unless the row names the position:\n"
+        print "\nThe next table has patches, wheels and wheelsets with STRIP.\nDerivatives are with respect to velocity, unless the row names the position:\n"
         print "| | one wide zone | two narrow zones | three contacts, 5 mm apart |"
         print "|---|---|---|---|"
         count = split("from_profile patch patch_derivatives wheel_forces wheel_on_rail wheel_by_position wheel_height wheelset wheelset_by_position", kinds, " ")
