@@ -391,6 +391,38 @@ fn contacts_far_apart_do_not_disturb_each_other() {
     }
 }
 
+/// Flanges of 75 to 78 degrees overlap the side of a rail by more than points outside it are looked
+/// for: every point of the wheel from the first to the last that overlap is there, and no force
+/// jumps.
+#[test]
+fn deep_overlap_of_a_steep_side_does_not_jump() {
+    let rail = profile("uic60", -0.025);
+    let mut memory = zeroed::<Workspace<f64>>();
+    for (name, lateral, vertical, yaw, depth) in [
+        ("wornhm", -70e-3, -1.981e-3, 0.017, 1.08e-3),
+        ("wornhm", -70e-3, -1.603e-3, -0.017, 1.16e-3),
+        ("whl288", -74e-3, -7.5e-3, -0.017, 1.60e-3),
+    ] {
+        let wheel = profile(name, 0.0);
+        let mut over = over(&rail, &wheel, 0.0, placed([lateral, vertical, yaw, 0.0]));
+        over.solve(&mut memory).unwrap();
+        let WheelContact { angle, approach, .. } = memory.contacts[0];
+        assert!(angle < -75f64.to_radians(), "{name}: {angle}");
+        assert_relative_eq!(approach, depth, max_relative = 5e-3);
+        let gap = &memory.gap;
+        let inside = (0..gap.count as usize).filter(|k| gap.distance[*k] < 0.0);
+        let inside: Vec<f64> = inside.map(|k| gap.along[k]).collect();
+        let farthest = inside.windows(2).map(|two| two[1] - two[0]).fold(0.0, f64::max);
+        assert!(farthest < 2.0 * gap.step, "{name}: {farthest} m without a point");
+        for (which, span) in [(1, 60e-6), (0, 20e-6), (2, 5e-4)] {
+            over.position = placed([lateral, vertical, yaw, 0.0]);
+            let from = *over.varied(which) - 0.5 * span;
+            let (jump, place) = largest_jump(&mut over, which, from, from + span, 40);
+            assert!(jump < 1e-8, "{name}: {jump:e} of N over {} at {place:e}", NAMES[which]);
+        }
+    }
+}
+
 /// A tyre of rubber on a flat road: overlap of 9 mm counts like overlap of 0.5 mm, as Hertz's
 /// sphere.
 #[test]

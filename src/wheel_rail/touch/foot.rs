@@ -124,8 +124,8 @@ impl<'a, F: Float> Rail<'a, F> {
         let [first, last] = self.upright;
         let leans_back = piece.0 + 1 < first || piece.0 > last;
         let is_beyond = leans_back || piece.0 + 1 >= self.surface.count as usize;
-        // beside the rail rather than above it
-        let is_beside = e_y.abs() > e_z.abs().times(2.0) + self.reach;
+        // beside the rail rather than above it; a point inside is neither
+        let is_beside = !is_inside && e_y.abs() > e_z.abs().times(2.0) + self.reach;
         let faces = normal_z * rail.cosine - normal_y * rail.sine > length.times(FACING);
         if is_beyond || is_beside || !faces {
             return None;
