@@ -2,15 +2,11 @@
 
 use crate::number::{Arithmetic, Dual, Float};
 use core::f64::consts::FRAC_PI_2;
-use heapless::VecView;
+use heapless::Vec;
 
 /// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
 /// patches asked for with 32 and 64 strips have fewer.
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
-
-/// A number of cells, a multiple of four, that 16 strips in all zones do not exceed: most contacts
-/// need no memory for more. In a browser there is one code for all counts, which loads faster.
-pub(crate) const FEW: usize = if CELLS < 28 || cfg!(target_family = "wasm") { CELLS } else { 36 };
 
 /// `c` over the width.
 const COMPLIANCE: f64 = 6.0;
@@ -91,12 +87,16 @@ impl<F: Float, const N: usize> Cell<F, N> {
     }
 }
 
-/// Cells in ascending `y`, in a list of the caller's.
-pub(crate) struct Cells<'a, F, const N: usize> {
-    pub list: &'a mut VecView<Cell<F, N>>,
+/// Cells in ascending `y`.
+pub(crate) struct Cells<F, const N: usize> {
+    pub list: Vec<Cell<F, N>, CELLS>,
 }
 
-impl<F: Float, const N: usize> Cells<'_, F, N> {
+impl<F: Float, const N: usize> Cells<F, N> {
+    pub(crate) fn nothing() -> Self {
+        Self { list: Vec::new() }
+    }
+
     /// `N/(π E*)`
     pub(crate) fn load(&self) -> Dual<F, N> {
         self.list.iter().fold(Dual::zero(), |sum, cell| sum + cell.load())

@@ -72,7 +72,7 @@ struct Pressures<F> {
     load_by_approach: F,
 }
 
-impl<F: Float, const N: usize> Cells<'_, F, N> {
+impl<F: Float, const N: usize> Cells<F, N> {
     /// Fills in what follows from the places; `of` gives distance, rolling radius and half length
     /// of each, and whether it may touch, and `centre_x` the centre.
     pub(super) fn set_gaps(
@@ -92,8 +92,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// are computed when the pressures are known: four directions would take most of the stack.
     /// `partly` is the `t` within which a cell touches in part \[m\].
     #[inline(never)]
-    pub(crate) fn press<const STORED: usize, const ROOM: usize>(
-        &mut self, equations: &mut Equations<F, STORED, ROOM>, partly: Dual<F, N>,
+    pub(crate) fn press<const STORED: usize>(
+        &mut self, equations: &mut Equations<F, STORED>, partly: Dual<F, N>,
         given: Given<Dual<F, N>>,
     ) -> Dual<F, N> {
         self.set_influence(equations);
@@ -123,13 +123,11 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     }
 
     /// Sets how far the pressure of each cell deflects all cells, and the couplings.
-    fn set_influence<const STORED: usize, const ROOM: usize>(
-        &self, equations: &mut Equations<F, STORED, ROOM>,
-    ) {
+    fn set_influence<const STORED: usize>(&self, equations: &mut Equations<F, STORED>) {
         equations.make_room(self.list.len());
         let mut across = Across::<F, STORED>::new();
         for (j, cell) in self.list.iter().enumerate() {
-            across.measure::<Deflection, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Deflection, N>(&CellEdges::new(cell), &self.list);
             let half_length = stored(cell.half_length);
             let entries = across.differences().map(|difference| difference * half_length);
             equations.set_column(j, entries);
@@ -157,8 +155,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     }
 
     /// Solves for the pressures of the cells that touch, for their present shares.
-    fn solve_touching<const STORED: usize, const ROOM: usize>(
-        &self, equations: &mut Equations<F, STORED, ROOM>, partly: F, given: Given<Dual<F, N>>,
+    fn solve_touching<const STORED: usize>(
+        &self, equations: &mut Equations<F, STORED>, partly: F, given: Given<Dual<F, N>>,
     ) -> Pressures<F> {
         let mut touching = Vec::new();
         let mut sides = [[F::zero(); CELLS]; 2];
@@ -194,9 +192,8 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
 
     /// Sets the pressures and corrects the shares of cells that touch, all at once in early rounds,
     /// and then the first that is wrong. Returns whether the pressures must be solved for again.
-    fn correct_shares<const STORED: usize, const ROOM: usize>(
-        &mut self, equations: &Equations<F, STORED, ROOM>, solved: &Pressures<F>, partly: F,
-        round: usize,
+    fn correct_shares<const STORED: usize>(
+        &mut self, equations: &Equations<F, STORED>, solved: &Pressures<F>, partly: F, round: usize,
     ) -> bool {
         let Pressures { values, approach, .. } = solved;
         let is_last = round + 1 >= SHARE_ROUNDS;
@@ -225,9 +222,9 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
     /// ```text
     /// (A + c (1/S' − 1)) dp = dδ − dh − dA p + (1 − S') dt − dc (1/S' − 1) p
     /// ```
-    fn follow_slopes<const STORED: usize, const ROOM: usize>(
-        &mut self, equations: &Equations<F, STORED, ROOM>, solved: &Pressures<F>,
-        partly: Dual<F, N>, given: Given<Dual<F, N>>,
+    fn follow_slopes<const STORED: usize>(
+        &mut self, equations: &Equations<F, STORED>, solved: &Pressures<F>, partly: Dual<F, N>,
+        given: Given<Dual<F, N>>,
     ) -> Dual<F, N> {
         let mut slopes = [F::zero(); N];
         for (d, slope) in slopes.iter_mut().enumerate() {
@@ -259,15 +256,15 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
 
     /// Computes `dA p` of all directions. Its sums replace the influence.
     #[inline(never)]
-    fn add_slopes<const STORED: usize, const ROOM: usize>(
-        &self, equations: &mut Equations<F, STORED, ROOM>, pressures: &[F; CELLS],
+    fn add_slopes<const STORED: usize>(
+        &self, equations: &mut Equations<F, STORED>, pressures: &[F; CELLS],
     ) {
-        const { assert!(4 * N <= ROOM) };
+        const { assert!(4 * N <= CELLS) };
         equations.clear_influence();
         let mut across = Across::<F, N>::new();
         let pressed = self.list.iter().zip(pressures).enumerate();
         for (j, (cell, pressure)) in pressed.filter(|(_, (_, p))| **p != F::zero()) {
-            across.measure::<Deflection, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Deflection, N>(&CellEdges::new(cell), &self.list);
             for ((i, own), difference) in self.list.iter().enumerate().zip(across.differences()) {
                 let mut entry = difference * cell.half_length;
                 let [before, after] = own.coupling;
@@ -292,7 +289,7 @@ impl<F: Float, const N: usize> Cells<'_, F, N> {
         let mut across = Across::new();
         for cell in self.list.iter().filter(|cell| cell.touches > F::zero()) {
             let share = cell.pressure / cell.half_length;
-            across.measure::<Curvature, N>(&CellEdges::new(cell), self.list);
+            across.measure::<Curvature, N>(&CellEdges::new(cell), &self.list);
             add(&mut curvatures, across.differences().map(|difference| difference * share));
         }
         for (cell, curvature) in self.list.iter_mut().zip(curvatures) {

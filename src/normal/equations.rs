@@ -14,24 +14,24 @@ const _: () = assert!(CELLS.is_multiple_of(4));
 /// One number for each cell; zero past the last.
 pub(super) type Column<F> = [F; CELLS];
 
-/// The equation of a cell, with room for so many, a multiple of four.
-struct Row<F, const N: usize, const ROOM: usize> {
+/// The equation of a cell.
+struct Row<F, const N: usize> {
     /// `∂u_i/∂p_j`; at last four sums for each direction whose slopes have no room.
-    influence: [F; ROOM],
+    influence: Column<F>,
     /// Their derivatives in the directions that have room.
-    slopes: [[F; ROOM]; N],
+    slopes: [Column<F>; N],
     /// What is added to the cell's influence on itself in the equations that are solved.
     softer: F,
     /// Of Gauss's elimination: what is left of the row from its diagonal on, and before it the
     /// factors of the rows above.
-    factors: [F; ROOM],
+    factors: Column<F>,
     /// One over the diagonal; zero of a cell that does not touch.
     inverse: F,
 }
 
-impl<F: Float, const N: usize, const ROOM: usize> Row<F, N, ROOM> {
+impl<F: Float, const N: usize> Row<F, N> {
     fn nothing() -> Self {
-        let none = [F::zero(); ROOM];
+        let none = [F::zero(); CELLS];
         Self {
             influence: none,
             slopes: [none; N],
@@ -108,11 +108,11 @@ fn subtract<F: Float>(own: &mut [F; 4], factor: F, above: &[F; 4]) {
 }
 
 /// The equations of as many cells as there are, with room for so many.
-pub(crate) struct Equations<F, const N: usize, const ROOM: usize> {
-    rows: Vec<Row<F, N, ROOM>, ROOM>,
+pub(crate) struct Equations<F, const N: usize> {
+    rows: Vec<Row<F, N>, CELLS>,
 }
 
-impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
+impl<F: Float, const N: usize> Equations<F, N> {
     #[inline]
     pub(super) fn new() -> Self {
         Self { rows: Vec::new() }
@@ -154,8 +154,8 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
 
     /// Solves the equations of touching cells for two right-hand sides, in place; others are zero.
     pub(super) fn solve(&mut self, touching: &[usize], sides: &mut [Column<F>; 2]) {
-        with_avx!(if 1 => <F: Float; N, ROOM>(
-            equations: &mut Equations<F, N, ROOM> = self,
+        with_avx!(if 1 => <F: Float; N>(
+            equations: &mut Equations<F, N> = self,
             touching: &[usize],
             sides: &mut [Column<F>; 2]
         ) -> () {
@@ -171,8 +171,8 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     pub(super) fn solve_for_slopes(
         &self, direction: usize, touching: &[usize], pressures: &Column<F>, side: &mut Column<F>,
     ) {
-        with_avx!(if 1 => <F: Float; N, ROOM>(
-            equations: &Equations<F, N, ROOM> = self,
+        with_avx!(if 1 => <F: Float; N>(
+            equations: &Equations<F, N> = self,
             direction: usize,
             touching: &[usize],
             pressures: &Column<F>,
@@ -193,7 +193,7 @@ impl<F: Float, const N: usize, const ROOM: usize> Equations<F, N, ROOM> {
     /// Makes the influence zero, in whose place sums stand after that.
     pub(super) fn clear_influence(&mut self) {
         for row in &mut self.rows {
-            row.influence = [F::zero(); ROOM];
+            row.influence = [F::zero(); CELLS];
         }
     }
 

@@ -35,8 +35,7 @@ mod skew;
 pub(crate) mod smooth;
 
 use crate::contact::totals::StripCount;
-use crate::normal::cell::FEW;
-use crate::normal::cells::{CELLS, Cells, Given};
+use crate::normal::cells::{Cells, Given};
 use crate::normal::equations::Equations;
 use crate::normal::outline::Outline;
 pub use crate::normal::profile::Profile;
@@ -46,7 +45,6 @@ use crate::number::{Arithmetic, Dual, Float, Number};
 use crate::patch::{Patch, PatchStrip};
 use crate::status::{Error, Warning};
 use core::f64::consts::PI;
-use heapless::Vec;
 
 /// Number of corrections of the lengths.
 const LENGTH_CORRECTIONS: usize = 2;
@@ -213,23 +211,20 @@ impl<F: Float> Indentation<F> {
 fn solve_pressures<F: Float, const N: usize>(
     cells: &mut Cells<F, N>, by: [Dual<F, N>; 2], given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
-    let are_few = CELLS == FEW || cells.list.len() <= FEW;
-    match (N == 1, are_few) {
-        (true, true) => press_and_correct::<F, N, 1, FEW>(cells, by, given),
-        (true, false) => press_and_correct::<F, N, 1, CELLS>(cells, by, given),
-        (false, true) => press_and_correct::<F, N, 0, FEW>(cells, by, given),
-        (false, false) => press_and_correct::<F, N, 0, CELLS>(cells, by, given),
+    if N == 1 {
+        press_and_correct::<F, N, 1>(cells, by, given)
+    } else {
+        press_and_correct::<F, N, 0>(cells, by, given)
     }
 }
 
-/// The same with room for so many cells and for derivatives of the influence in so many directions.
-/// (Out of line, so that only here the equations take room on
-/// the stack.)
+/// The same with room for derivatives of the influence in so many directions. It stays out of line,
+/// so that only here the equations take room on the stack.
 #[inline(never)]
-fn press_and_correct<F: Float, const N: usize, const STORED: usize, const ROOM: usize>(
+fn press_and_correct<F: Float, const N: usize, const STORED: usize>(
     cells: &mut Cells<F, N>, [power, partly]: [Dual<F, N>; 2], given: Given<Dual<F, N>>,
 ) -> Dual<F, N> {
-    let mut equations = Equations::<F, STORED, ROOM>::new();
+    let mut equations = Equations::<F, STORED>::new();
     let mut pressed = cells.press(&mut equations, partly, given);
     for _ in 0..LENGTH_CORRECTIONS {
         cells.correct(power);
@@ -268,8 +263,7 @@ impl<F: Float> Patch<F> {
     pub fn from_profile(
         profile: &Profile<F>, contact: &ProfileContact<F>, count: StripCount,
     ) -> Result<(Self, Indentation<F>), Error> {
-        let mut list = Vec::<_, CELLS>::new();
-        let mut cells = Cells { list: list.as_mut_view() };
+        let mut cells = Cells::nothing();
         let mut found = Indentation::new(profile, contact, count, &mut cells)?;
         let mut patch = Self::empty(contact.shear_modulus, contact.poisson_ratio);
         found.strips(contact, &cells, |number| number.value, |strip| patch.push(strip))?;

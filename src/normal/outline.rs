@@ -2,7 +2,7 @@
 //! and the power by which these are corrected.
 
 use crate::contact::totals::StripCount;
-use crate::normal::cell::{CELLS, Cells, FEW};
+use crate::normal::cell::{CELLS, Cells};
 use crate::normal::cells::Given;
 use crate::normal::density::{MOST_ZONES, Zones};
 use crate::normal::estimate::{Estimate, OVERLAP};
@@ -13,7 +13,6 @@ use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Arithmetic, Dual, Float};
 use crate::status::{Error, Warning};
 use core::f64::consts::PI;
-use heapless::Vec;
 
 /// Gap of the undeformed bodies at the edge of the contact, over the estimated deflection.
 const DEFLECTED: f64 = 0.73;
@@ -37,27 +36,6 @@ fn number_of_cells(count: StripCount) -> [usize; 2] {
         StripCount::SixtyFour => [40, 40],
     };
     cells.map(|cells| cells.min(CELLS - MOST_ZONES))
-}
-
-/// Passes memory for the cells of a patch of so many strips to a function. Most patches have no
-/// more than [`FEW`] cells: there is one more for each zone but the first.
-pub(crate) fn with_cells<F: Float, R, const N: usize>(
-    count: StripCount, function: impl FnOnce(&mut Cells<F, N>) -> R,
-) -> R {
-    let [_, most] = number_of_cells(count);
-    if FEW == CELLS || most + MOST_ZONES <= FEW {
-        with_room_for::<F, R, N, FEW>(function)
-    } else {
-        with_room_for::<F, R, N, CELLS>(function)
-    }
-}
-
-#[inline(never)]
-fn with_room_for<F: Float, R, const N: usize, const ROOM: usize>(
-    function: impl FnOnce(&mut Cells<F, N>) -> R,
-) -> R {
-    let mut list = Vec::<_, ROOM>::new();
-    function(&mut Cells { list: list.as_mut_view() })
 }
 
 /// What is known of the cells besides.

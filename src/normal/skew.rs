@@ -84,7 +84,7 @@ fn shape<F: Float, const N: usize>(cells: &Cells<F, N>) -> [Dual<F, N>; 2] {
     [square.sqrt() * crowded.times(1.0 / 0.6), products / squares]
 }
 
-impl<F: Float, const N: usize> Cells<'_, F, N> {
+impl<F: Float, const N: usize> Cells<F, N> {
     /// Skews the cells; returns the factor of the approach, one where the approach is given.
     #[inline(never)]
     pub(super) fn skew(&mut self, given: Given<Dual<F, N>>) -> Dual<F, N> {

@@ -33,7 +33,7 @@ use self::groups::{Groups, Overlaps};
 use self::view::{Place, View};
 use crate::contact::totals::StripCount;
 use crate::motion::Motion;
-use crate::normal::outline::with_cells;
+use crate::normal::cell::Cells;
 use crate::normal::smooth::SmoothedProfile;
 use crate::number::{Dual, Float, add, are_finite, at, length, set_at};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
@@ -390,31 +390,30 @@ pub fn from_gap<F: Float>(
     let view = View::new(gap, pair, position)?;
     let mut found = ContactCount { written: 0, warning: Warning::None };
     let Some(profile) = view.profile()? else { return Ok(found) };
-    with_cells(count, |cells| {
-        let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
-        let mut groups = Groups::new();
-        if !group_zones(&curve, &mut groups) {
-            found.warning = Warning::Rough;
+    let mut cells = Cells::nothing();
+    let mut curve = SmoothedProfile::<F, 1>::of_surfaces(&profile, pair.smoothing_length);
+    let mut groups = Groups::new();
+    if !group_zones(&curve, &mut groups) {
+        found.warning = Warning::Rough;
+    }
+    for group in &groups {
+        curve.restrict(&group.whole);
+        let approach = Dual::input(group.whole.depth, 0);
+        let mut pressed = view.press(&profile, &curve, approach, count, &mut cells)?;
+        view.strips(&cells, |own| own.value, &mut pressed, strips)?;
+        if strips.count == 0 {
+            continue;
         }
-        for group in &groups {
-            curve.restrict(&group.whole);
-            let approach = Dual::input(group.whole.depth, 0);
-            let mut pressed = view.press(&profile, &curve, approach, count, cells)?;
-            view.strips(cells, |own| own.value, &mut pressed, strips)?;
-            if strips.count == 0 {
-                continue;
-            }
-            let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
-            let indented = [pressed.approach, pressed.stiffness];
-            contact.fill(pair, &view.position, strips, indented, |_, along| view.place(along));
-            contact.share = group.share.clamped(F::zero(), F::one());
-            Error::Overflow.unless(contact.is_finite())?;
-            found.written += 1;
-            found.warning = found.warning.worse(pressed.warning);
-            if contact.is_conformal() {
-                found.warning = found.warning.worse(Warning::AngleRange);
-            }
+        let contact = contacts.get_mut(found.written).ok_or(Error::PatchSize)?;
+        let indented = [pressed.approach, pressed.stiffness];
+        contact.fill(pair, &view.position, strips, indented, |_, along| view.place(along));
+        contact.share = group.share.clamped(F::zero(), F::one());
+        Error::Overflow.unless(contact.is_finite())?;
+        found.written += 1;
+        found.warning = found.warning.worse(pressed.warning);
+        if contact.is_conformal() {
+            found.warning = found.warning.worse(Warning::AngleRange);
         }
-        Ok(found)
-    })
+    }
+    Ok(found)
 }

@@ -9,7 +9,6 @@ use super::view::View;
 use super::{WheelContact, group_zones};
 use crate::normal::cell::{Cell, Cells};
 use crate::normal::moving::Directed;
-use crate::normal::outline::with_cells;
 use crate::normal::profile::{DIRECTIONS, TOGETHER};
 use crate::normal::smooth::SmoothedProfile;
 use crate::normal::{Indentation, Profile};
@@ -52,7 +51,7 @@ impl<F: Float> Scene<'_, F> {
         &self, state: &BodyState<F>, memory: &mut Workspace<F>, found: &Wrench<F>,
         slopes: &mut WrenchByPosition<F>,
     ) -> Result<(), Error> {
-        let Self { rail, pair, strips: count, .. } = *self;
+        let Self { rail, pair, .. } = *self;
         let Workspace { gap, strips, contacts, count: used, .. } = memory;
         let spare = (*used as usize).min(KSTRIP_CONTACTS_CAPACITY - 1);
         let contact = contacts.get_mut(spare).ok_or(Error::PatchSize)?;
@@ -65,26 +64,23 @@ impl<F: Float> Scene<'_, F> {
         let moves = view.moves(rail);
         let Some(profile) = view.profile()? else { return Ok(()) };
         let mut columns = slopes.columns();
-        let lengths = with_cells(count, |cells| {
-            let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
-            let mut groups = Groups::new();
-            group_zones(&curve, &mut groups);
-            let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
-            let length = |direction| view.length_of_step(&moves, direction, deepest, creepage);
-            let lengths: [F; DIRECTIONS] = core::array::from_fn(length);
-            let mut room = Room { cells, strips, contact };
-            for first in (0..DIRECTIONS).step_by(TOGETHER) {
-                let (mut moves, mut profile) = (moves, profile);
-                moves.first = first;
-                profile.motion = Some(&moves);
-                curve.follow(&profile, &moves, pair.smoothing_length);
-                let lengths = core::array::from_fn(|k| at(&lengths, first + k));
-                let columns = columns.get_mut(first..first + TOGETHER).unwrap_or(&mut []);
-                let steps = Steps { scene: self, view: &view, state, moves, lengths, sides };
-                steps.add_wrenches(&profile, &mut curve, &groups, &mut room, columns)?;
-            }
-            Ok(lengths)
-        })?;
+        let mut curve = SmoothedProfile::of_surfaces(&profile, pair.smoothing_length);
+        let mut groups = Groups::new();
+        group_zones(&curve, &mut groups);
+        let deepest = groups.iter().fold(F::zero(), |most, group| most.max(group.whole.depth));
+        let length = |direction| view.length_of_step(&moves, direction, deepest, creepage);
+        let lengths: [F; DIRECTIONS] = core::array::from_fn(length);
+        let mut room = Room { cells: Cells::nothing(), strips, contact };
+        for first in (0..DIRECTIONS).step_by(TOGETHER) {
+            let (mut moves, mut profile) = (moves, profile);
+            moves.first = first;
+            profile.motion = Some(&moves);
+            curve.follow(&profile, &moves, pair.smoothing_length);
+            let lengths = core::array::from_fn(|k| at(&lengths, first + k));
+            let columns = columns.get_mut(first..first + TOGETHER).unwrap_or(&mut []);
+            let steps = Steps { scene: self, view: &view, state, moves, lengths, sides };
+            steps.add_wrenches(&profile, &mut curve, &groups, &mut room, columns)?;
+        }
         for (column, length) in columns.into_iter().zip(lengths) {
             let step = length * F::widened(sides as f32);
             for (slope, here) in column.iter_mut().zip(here) {
@@ -96,8 +92,8 @@ impl<F: Float> Scene<'_, F> {
 }
 
 /// Memory for one contact: its cells with their derivatives, and its strips after a step.
-struct Room<'a, 'b, F> {
-    cells: &'a mut Cells<'b, F, TOGETHER>,
+struct Room<'a, F> {
+    cells: Cells<F, TOGETHER>,
     strips: &'a mut Patch<F>,
     contact: &'a mut WheelContact<F>,
 }
@@ -114,7 +110,6 @@ struct Steps<'a, F> {
     sides: usize,
 }
 
-/// A step of one contact.
 struct ContactStep<F> {
     /// Number of the direction, from that of `moves` on.
     k: usize,
@@ -137,13 +132,13 @@ impl<F: Float> Steps<'_, F> {
         for (number, group) in groups.iter().enumerate() {
             curve.restrict(&group.whole);
             let (depth, count) = (curve.depth(&group.whole), self.scene.strips);
-            let pressed = &mut self.view.press(profile, curve, depth, count, room.cells)?;
+            let pressed = &mut self.view.press(profile, curve, depth, count, &mut room.cells)?;
             let mut shares = [F::one(); TOGETHER];
             if self.sides == 2 {
-                shorten(room.cells, &self.lengths, &mut shares);
+                shorten(&room.cells, &self.lengths, &mut shares);
             }
-            bound_changes(room.cells, &self.lengths, &shares);
-            keep_pressures(room.cells, &self.lengths, &shares, self.sides);
+            bound_changes(&mut room.cells, &self.lengths, &shares);
+            keep_pressures(&mut room.cells, &self.lengths, &shares, self.sides);
             for (k, (column, rates)) in columns.iter_mut().zip(&rates).enumerate() {
                 let (length, part) = (at(&self.lengths, k), at(&shares, k));
                 for side in [F::one(), -F::one()].into_iter().take(self.sides) {
