@@ -1,6 +1,6 @@
 //! Many wheels and many wheelsets in one call, for sweeps and tables.
 
-use super::wheel_rail::{WheelOutputs, scene_of, state_of, with_table};
+use super::scene::{WheelOutputs, scene_of, state_of, with_table};
 use super::{F, kstrip_height_for_load, kstrip_wheelset_on_track, kstrip_wheelset_settle};
 use crate::ffi::support::{Strided, each_element, element, given, status_of};
 use crate::ffi::types::{Track, WheelsetParts, kstrip_table};

@@ -15,6 +15,8 @@ mod motion;
 #[cfg(feature = "patches")]
 mod patch;
 mod rig;
+#[cfg(feature = "wheels")]
+mod scene;
 mod solve;
 #[cfg(feature = "tables")]
 mod tables;

@@ -1,7 +1,7 @@
 //! Contact tables: a wheel in microseconds.
 
 use super::F;
-use super::wheel_rail::{WheelOutputs, law_of, scene_of, state_of};
+use super::scene::{WheelOutputs, law_of, scene_of, state_of};
 use crate::ffi::support::{given, input, output, put, status_of, strip_count, write_result};
 use crate::ffi::types::kstrip_table;
 use crate::friction::SlipFriction;

@@ -1,27 +1,22 @@
 //! Wheel on rail: from two profiles and a position to the forces on the wheel.
 
 use super::F;
-use crate::ffi::support::{
-    Output, for_strips, given, input, output, put, status_of, strip_count, with_requested,
-    write_result,
-};
-use crate::ffi::types::{kstrip_options, kstrip_table};
-use crate::forces::Model;
+use super::scene::{WheelOutputs, law_of, scene_of, state_of, with_table};
+use crate::ffi::support::{given, input, output, put, status_of, strip_count, write_result};
+use crate::ffi::types::kstrip_table;
 use crate::friction::SlipFriction;
 use crate::motion::Motion;
-use crate::number::{Float, are_finite};
+use crate::number::Float;
 use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning, kstrip_status};
 use crate::wheel_rail::contacts::{self, WheelContact};
 use crate::wheel_rail::forces::across::{self, StripPower};
-use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
+use crate::wheel_rail::forces::wrench::{self, Wrench, WrenchByPosition, WrenchDerivatives};
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::profile::plausibility::Cause;
-use crate::wheel_rail::scene::{Scene, TableSource, Workspace};
+use crate::wheel_rail::scene::Workspace;
 use crate::wheel_rail::touch::{Gap, GapSearch};
-use crate::wheel_rail::{
-    BodyState, KSTRIP_CONTACTS_CAPACITY, Position, Requested, Velocity, WheelPair,
-};
+use crate::wheel_rail::{KSTRIP_CONTACTS_CAPACITY, Position, Velocity, WheelPair};
 use core::mem::MaybeUninit;
 
 /// Prepares a profile of a rail or a wheel from its points. Do this once for each profile.
@@ -190,7 +185,6 @@ pub unsafe extern "C" fn kstrip_wrench_from_contacts(
         let mut slopes = WrenchDerivatives::default();
         let wanted = derivatives.is_some().then_some(&mut slopes);
         let found = wrench::of_contacts(contacts, velocity, law, wanted)?;
-        Error::Overflow.unless(fits(&found, &slopes))?;
         put(derivatives, slopes);
         out.write(found);
         Ok(found.warning)
@@ -236,41 +230,6 @@ pub unsafe extern "C" fn kstrip_contact_power_across(
         count.write(contact.patch.count);
         Ok(warning)
     })
-}
-
-/// Where the results of a wheel go.
-pub(super) struct WheelOutputs<'a> {
-    pub wrench: Output<'a, Wrench<F>>,
-    pub derivatives: Output<'a, WrenchDerivatives<F>>,
-    pub by_position: Output<'a, WrenchByPosition<F>>,
-}
-
-impl WheelOutputs<'_> {
-    /// Writes the wrench and the derivatives that are requested, if all their numbers are finite.
-    pub fn write(
-        self,
-        solve: impl FnOnce(
-            Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
-        ) -> Result<Wrench<F>, Error>,
-    ) -> Result<Warning, Error> {
-        let Self { wrench, derivatives, by_position } = self;
-        let out = given(wrench)?;
-        let all_fit = |found: &_, by_velocity: &_, by_position: &WrenchByPosition<F>| {
-            let WrenchByPosition { lateral, vertical, yaw, roll } = by_position;
-            let moved = [lateral, vertical, yaw, roll];
-            fits(found, by_velocity) && moved.into_iter().all(|column| are_finite(column))
-        };
-        let found = with_requested(derivatives, by_position, all_fit, solve)?;
-        out.write(found);
-        Ok(found.warning)
-    }
-}
-
-/// A position with a velocity; both are required.
-pub(super) fn state_of(
-    position: Option<&Position<F>>, velocity: Option<&Velocity<F>>,
-) -> Result<BodyState<F>, Error> {
-    Ok(BodyState { position: *given(position)?, velocity: *given(velocity)? })
 }
 
 /// Force and moment on a wheel on a rail in one call: kstrip_touch(), kstrip_contacts_from_gap(),
@@ -353,56 +312,4 @@ pub unsafe extern "C" fn kstrip_height_for_load(
         out.write(found);
         Ok(warning)
     })
-}
-
-pub(super) fn scene_of<'a>(
-    rail: Option<&'a PreparedProfile<F>>, wheel: Option<&'a PreparedProfile<F>>,
-    pair: Option<&'a WheelPair<F>>, friction: Option<&'a SlipFriction<F>>,
-) -> Result<Scene<'a, F>, Error> {
-    let (rail, wheel, pair) = (given(rail)?, given(wheel)?, given(pair)?);
-    let (strips, law) = (strip_count(pair.strips)?, law_of(pair.model, friction)?);
-    Ok(Scene { rail, wheel, pair, strips, law, table: None })
-}
-
-/// The same scene with contacts from a table, if there is one.
-///
-/// # Safety
-/// The memory of the table is NULL or valid for its bytes, and nobody writes it.
-pub(super) unsafe fn with_table<'a>(
-    scene: Scene<'a, F>, table: Option<&'a kstrip_table>,
-) -> Result<Scene<'a, F>, Error> {
-    let is_any = |table: &&kstrip_table| table.bytes > 0 || !table.data.is_null();
-    let Some(table) = table.filter(is_any) else { return Ok(scene) };
-    // SAFETY: the promise of this function.
-    let bytes = unsafe { input(table.data, table.bytes)? };
-    Ok(Scene { table: Some(source_of(bytes, table.only != 0)?), ..scene })
-}
-
-#[cfg(feature = "tables")]
-fn source_of(bytes: &[u8], only: bool) -> Result<TableSource<'_, F>, Error> {
-    Ok(crate::table::source(bytes, only))
-}
-
-/// This build of the library has no tables.
-#[cfg(not(feature = "tables"))]
-fn source_of(_: &[u8], _: bool) -> Result<TableSource<'_, F>, Error> {
-    Err(Error::Table)
-}
-
-/// Whether all numbers are finite.
-pub(super) fn fits(found: &Wrench<F>, slopes: &WrenchDerivatives<F>) -> bool {
-    let numbers = [found.dissipation, found.normal_force];
-    let WrenchDerivatives { velocity, friction } = slopes;
-    let rows = velocity.iter().chain([friction, &found.members()]).all(|row| are_finite(row));
-    rows && are_finite(&numbers)
-}
-
-pub(super) fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<Law<'_, F>, Error> {
-    let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
-    Error::NotInModel.unless(model != Model::Linear)?;
-    if let Some(law) = falling {
-        // (these two members are ignored)
-        SlipFriction { friction: 1.0, rolling_speed: 0.0, ..*law }.check()?;
-    }
-    Ok(Law { model, falling })
 }

@@ -1,7 +1,7 @@
 //! The wheelset: two wheels on two rails.
 
 use super::F;
-use super::wheel_rail::{fits, scene_of, with_table};
+use super::scene::{scene_of, with_table};
 use crate::ffi::support::{
     each_element, element, given, input, place, put, status_of, with_requested, write_result,
     write_warned,
@@ -9,7 +9,6 @@ use crate::ffi::support::{
 use crate::ffi::types::{Track, WheelsetParts};
 use crate::number::{Float, are_finite};
 use crate::status::{Error, Warning, kstrip_status};
-use crate::wheel_rail::forces::wrench::WrenchDerivatives;
 use crate::wheel_rail::profile::PreparedProfile;
 use crate::wheel_rail::{BodyState, Position, Velocity, WheelPair};
 use crate::wheelset::conicity::{RadiusDifference, check_circles};
@@ -107,19 +106,12 @@ pub unsafe extern "C" fn kstrip_wheelset_on_track(
             let (position, velocity) = (given(position)?, given(velocity)?);
             let (memory, out) = (given(workspace)?, given(forces)?);
             let state = BodyState { position: *position, velocity: *velocity };
-            let fits = |found: &WheelsetForces<F>, by_velocity: &_, by_position: &_| {
-                let WheelsetDerivatives { velocity, friction } = by_velocity;
-                let WheelsetByPosition { position } = by_position;
-                let WheelsetForces { wrench, wheel: [right, left], rail } = found;
-                let none = WrenchDerivatives::default();
-                let mut rows = velocity.iter().chain(position).chain([friction]);
-                [wrench, right, left].into_iter().all(|found| fits(found, &none))
-                    && rail.iter().all(|force| are_finite(force))
-                    && rows.all(|row| are_finite(row))
-            };
-            let found = with_requested(derivatives, by_position, fits, |requested| {
-                wheelset.differentiate(&state, memory, requested)
-            })?;
+            let found = with_requested(
+                derivatives,
+                by_position,
+                |_| true,
+                |requested| wheelset.differentiate(&state, memory, requested),
+            )?;
             out.write(found);
             Ok(found.wrench.warning)
         })
@@ -303,7 +295,6 @@ unsafe fn on_track(
     })
 }
 
-/// Half the distance of the running circles.
 fn half_distance(set: &WheelsetParts<F>) -> Result<F, Error> {
     let WheelsetParts { back_to_back, running_circles, .. } = *set;
     Error::NotFinite.unless(are_finite(&[back_to_back, running_circles]))?;
