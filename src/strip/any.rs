@@ -91,18 +91,6 @@ const IS_SMALL: bool = cfg!(any(target_os = "none", target_family = "wasm"));
 fn both_kinds<F: Real, const ROWS: usize>(
     eight: &StripColumns<F>, found: &mut ForcesAndSlopes<F, ROWS>,
 ) {
-    let [.., inner] = eight;
-    let are_mixed = inner.iter().any(|inner| (*inner * (F::one() - *inner)).exceeds(F::zero()));
-    if ROWS == FORCE_ROWS && !are_mixed && !IS_SMALL {
-        return with_avx!(if 1 => <F: Real; ROWS>(
-            eight: &StripColumns<F>,
-            found: &mut ForcesAndSlopes<F, ROWS>
-        ) -> () {
-            of_one_kind::<F, F::Eight, ROWS>(eight, found)
-        } {
-            of_one_kind::<F, F::WideEight, ROWS>(eight, found)
-        });
-    }
     with_avx!(if 1 => <F: Real; ROWS>(
         eight: &StripColumns<F>,
         found: &mut ForcesAndSlopes<F, ROWS>
@@ -119,32 +107,6 @@ fn both_kinds<F: Real, const ROWS: usize>(
     })
 }
 
-/// Forces and derivatives of strips that are each of one kind.
-#[inline(always)]
-fn of_one_kind<F: Real, P: Strips<F>, const ROWS: usize>(
-    eight: &StripColumns<F>, (carried, slopes): &mut ForcesAndSlopes<F, ROWS>,
-) {
-    for first in (0..8).step_by(P::COUNT) {
-        let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(F::zero()));
-        let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
-        let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
-            let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
-            inner.choose(own, outer)
-        });
-        let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
-        let by_spin = SpinSlopes::new(&spin);
-        let (StripForces { fx, fy, mx, stick }, own) =
-            forces_and_slopes(&seen, &spin, &constants, &by_spin);
-        let numbers = [fx, fy, mx, stick].into_iter().chain(own.into_iter().flatten());
-        let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
-        for (column, own) in columns.zip(numbers) {
-            for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
-                *place = own.lane(k);
-            }
-        }
-    }
-}
-
 /// Computes as many strips at a time as `P` holds side by side.
 #[inline(always)]
 fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
@@ -156,16 +118,21 @@ fn of_kinds<F: Real, P: Strips<F>, const ROWS: usize>(
         let gather = |of: &[F; 8]| P::gather(|k| of.get(first + k).copied().unwrap_or(zero));
         let [x, y, spin, spread, start, inner] = eight.each_ref().map(gather);
         let are_mixed = P::any_exceeds([inner * (P::one() - inner)], [P::zero()]);
-        if ROWS == NO_ROWS && !are_mixed && !IS_SMALL {
+        if !are_mixed && !IS_SMALL {
             let constants = Tables::<F::Stored, _>::new(|kinds: &[_; 2]| {
                 let [outer, own] = kinds.map(|constant| P::all(F::stored(constant)));
                 inner.choose(own, outer)
             });
-            let seen = StripCreepage { x, y, spread, start };
-            let found = forces(&seen, &Spin::new(spin), &constants, |_, _| ()).0;
-            let StripForces { fx, fy, mx, stick } = found;
-            for (places, own) in carried.iter_mut().zip([fx, fy, mx, stick]) {
-                for (k, place) in places.iter_mut().skip(first).take(P::COUNT).enumerate() {
+            let (seen, spin) = (StripCreepage { x, y, spread, start }, Spin::new(spin));
+            let (StripForces { fx, fy, mx, stick }, own) = if ROWS == FORCE_ROWS {
+                forces_and_slopes(&seen, &spin, &constants, &SpinSlopes::new(&spin))
+            } else {
+                (forces(&seen, &spin, &constants, |_, _| ()).0, [[P::zero(); 5]; 3])
+            };
+            let numbers = [fx, fy, mx, stick].into_iter().chain(own.into_iter().flatten());
+            let columns = carried.iter_mut().chain(slopes.as_flattened_mut());
+            for (column, own) in columns.zip(numbers) {
+                for (k, place) in column.iter_mut().skip(first).take(P::COUNT).enumerate() {
                     *place = own.lane(k);
                 }
             }
