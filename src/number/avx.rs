@@ -20,7 +20,7 @@ fn each_between<T: PartialOrd, const N: usize>(a: [T; N], low: [T; N], high: [T;
 }
 
 #[cfg(not(target_arch = "x86_64"))]
-impl<F: super::traits::Float> super::traits::InRegisters for F {
+impl<F: super::traits::Float> super::arithmetic::InRegisters for F {
     #[inline]
     fn any_exceeds<const N: usize>(a: [Self; N], b: [Self; N]) -> bool {
         one_exceeds(a, b)
@@ -110,8 +110,8 @@ pub(crate) use with_avx;
 #[cfg(target_arch = "x86_64")]
 mod x86 {
     use super::{each_between, one_exceeds};
+    use crate::number::arithmetic::{Arithmetic, InRegisters, each, each_chosen, each_pair};
     use crate::number::elementary::{NEWTON, NEWTON_START};
-    use crate::number::traits::{Arithmetic, InRegisters, each, each_chosen, each_pair};
     use core::arch::x86_64::*;
 
     /// An array and a register of the same size.

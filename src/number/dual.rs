@@ -4,7 +4,8 @@
 //! generic formulas as a plain number it returns the exact derivatives of those formulas, branch
 //! by branch; there is no step size and no second implementation to keep in step.
 
-use super::traits::{Arithmetic, Number, Pair, Real};
+use super::arithmetic::Arithmetic;
+use super::traits::{Number, Pair, Real};
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives with respect to `M` inputs: plain numbers, or pairs of them, so that

@@ -1,6 +1,7 @@
 //! Elementary functions from the four operations and the square root: the same bits everywhere.
 
-use super::traits::{Arithmetic, Float, Real, Strips};
+use super::arithmetic::Arithmetic;
+use super::traits::{Float, Real, Strips};
 
 /// `2^(−1/3)`, to single precision.
 pub(super) const NEWTON_START: f32 = 0.793_700_5;

@@ -1,9 +1,10 @@
 //! `f32` and `f64` as numbers of the theory.
 
+use super::arithmetic::Arithmetic;
 use super::elementary::{self, ARCTAN_DOUBLE, ARCTAN_SINGLE, ARTANH_DOUBLE, ARTANH_SINGLE};
 use super::lanes::{F32Pair, Lanes, Wide};
 use super::root;
-use super::traits::{Arithmetic, Float, Number, Real, Strips};
+use super::traits::{Float, Number, Real, Strips};
 
 macro_rules! plain {
     ($float:ident, $integer:ident, $mantissa:literal, |$single:ident, $double:ident| $table:expr,

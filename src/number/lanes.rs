@@ -5,8 +5,9 @@
 //! with a sum. Arrays that fill a register are computed in it ([`InRegisters`]): four doubles or
 //! eight floats only where the processor has AVX, which the code that makes them has checked.
 
+use super::arithmetic::{Arithmetic, InRegisters};
 use super::elementary;
-use super::traits::{Arithmetic, InRegisters, Number, Pair, Real, Strips};
+use super::traits::{Number, Pair, Real, Strips};
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -24,7 +25,6 @@ impl<T, const N: usize, A> Lanes<T, N, A> {
     pub(crate) fn new(numbers: [T; N]) -> Self {
         Self(numbers, [])
     }
-    /// One by one.
     pub(crate) fn numbers(self) -> [T; N] {
         self.0
     }

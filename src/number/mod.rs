@@ -54,6 +54,7 @@
 
 pub mod dual;
 
+mod arithmetic;
 pub(crate) mod avx;
 mod elementary;
 mod float;
@@ -62,9 +63,10 @@ mod root;
 pub(crate) mod tables;
 mod traits;
 
+pub use self::arithmetic::{Arithmetic, InRegisters};
 pub use self::dual::Dual;
 pub(crate) use self::traits::Stored;
-pub use self::traits::{Arithmetic, Float, InRegisters, Number, Pair, Real, Strips};
+pub use self::traits::{Float, Number, Pair, Real, Strips};
 
 /// `√(x² + y²)` without squares, which may overflow: it lies between the larger one and the sum of
 /// both.
