@@ -35,8 +35,7 @@ use crate::status::{Error, Warning};
 /// use kstrip::contact::{Contact, creepage::Creepage};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let creepage = |i| Creepage { longitudinal: i as f64 * 1e-5, lateral: 0.0, spin: 0.0 };
 /// let mut forces = [0.0; 100];

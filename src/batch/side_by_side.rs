@@ -326,7 +326,6 @@ where
     }
 }
 
-/// The warning of each contact.
 #[inline(always)]
 fn notices<L: Real + Strips<L::Stored>>(
     model: Model, frame: &ScaledContact<L>, forces: &Forces<L>, psi: L,

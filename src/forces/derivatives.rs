@@ -71,8 +71,7 @@ pub struct Derivatives<F> {
 /// use kstrip::forces::{Options, derivatives::forces_and_derivatives};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let sliding = Creepage { longitudinal: 0.1_f64, lateral: 0.0, spin: 0.0 };
 /// let (_, derivatives) = forces_and_derivatives(&contact, &sliding, &Options::default())?;

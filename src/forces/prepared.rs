@@ -72,8 +72,7 @@ impl<F: Float> Prepared<F> {
     /// use kstrip::forces::{Options, forces_of_contact, prepared::Prepared};
     /// let contact = Contact {
     ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-    ///     shear_modulus: 82e9, poisson_ratio: 0.28,
-    ///     mismatch: 0.0,
+    ///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
     /// };
     /// let disc = Prepared::new(&contact, &Options::default())?;
     /// for percent in 0..10 {

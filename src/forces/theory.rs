@@ -8,9 +8,9 @@ use crate::contact::mismatch::{linear_shift, shift_with_slopes};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::options::{Model, Options, Solution};
-use crate::forces::warning::{linear_warning_of, saturating_warning, warned};
+use crate::forces::warning::{linear_warning, saturating_warning, warned};
 use crate::linear::LinearCoefficients;
-use crate::number::{Arithmetic, Dual, Float, Number, Pair, Real};
+use crate::number::{Arithmetic, Dual, Float, Number, Pair, Real, length};
 use crate::status::Error;
 use crate::strip_1967::{self, strip::SlidingRule};
 use core::mem::MaybeUninit;
@@ -51,8 +51,7 @@ pub(crate) use by_model;
 /// use kstrip::forces::{Options, forces_of_contact};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 1e-3, lateral: 0.0, spin: 0.0 };
 /// let forces = forces_of_contact(&contact, &creepage, &Options::default())?;
@@ -172,7 +171,7 @@ impl<F: Float> ScaledContact<F> {
         &self, model: Model, creepage: &Creepage<F>, forces: &Forces<F>, psi: F, ordinary: bool,
     ) -> Solution<F> {
         let of_model = if model == Model::Linear {
-            linear_warning_of(forces.fx, forces.fy, self.contact.friction_bound())
+            linear_warning(length(forces.fx, forces.fy), self.contact.friction_bound())
         } else {
             saturating_warning(model, &self.contact, self.units.axis_ratio, psi)
         };

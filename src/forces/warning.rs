@@ -4,27 +4,8 @@ use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
 use crate::contact::implausibility;
 use crate::forces::options::Model;
-use crate::number::{Float, length};
+use crate::number::Float;
 use crate::status::Warning;
-
-/// Friction bound above which its square has all digits \[N\].
-const TOLD_BY_SQUARES: f64 = 1e-12;
-
-/// [`linear_warning`] of a force. Where the squares of force and bound are far enough apart, no
-/// root is needed.
-#[inline]
-pub(crate) fn linear_warning_of<F: Float>(fx: F, fy: F, bound: F) -> Warning {
-    let (square, limit) = (fx * fx + fy * fy, bound * bound);
-    if bound > F::constant(TOLD_BY_SQUARES) {
-        if square < limit.times(0.9999) {
-            return Warning::None;
-        }
-        if square > limit.times(1.0001) {
-            return Warning::BeyondFriction;
-        }
-    }
-    linear_warning(length(fx, fy), bound)
-}
 
 /// The warning of a model with a friction bound, or that an input is implausible.
 pub(crate) fn warning_of<F: Float>(
@@ -64,7 +45,6 @@ pub(crate) const RATIOS: [f64; 2] = [0.014_999_9, 60.000_1];
 /// Largest spin `|ψ|` for which [`Model::Strip`] is made.
 pub(crate) const LARGEST_SPIN: f64 = 3.0;
 
-/// The warning of a model with a friction bound.
 #[inline]
 pub(crate) fn model_warning<F: Float>(
     model: Model, friction_bound: F, ratio: F, psi: F,

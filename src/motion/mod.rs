@@ -110,8 +110,7 @@ pub struct MotionDerivatives<F> {
 /// use kstrip::{contact::Contact, forces::Options, motion::{solve_motion, Motion}};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let creeps = Motion { slip_x: 5e-6, ..Motion::default() };
 /// let backward = Motion { slip_x: 1e-3, rolling_speed: -2.0, ..Motion::default() };

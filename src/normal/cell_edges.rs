@@ -7,7 +7,6 @@ use crate::number::avx::with_avx;
 use crate::number::{Arithmetic, Dual, Float, Number, Strips, set_at};
 use core::marker::PhantomData;
 
-/// The edges of a cell.
 pub(super) struct CellEdges<F, const N: usize> {
     lower: Dual<F, N>,
     upper: Dual<F, N>,

@@ -49,7 +49,6 @@ struct FourEdges<F, const N: usize> {
     growth: Dual<[F; 4], N>,
 }
 
-/// Edges at most.
 const LOAD_EDGES: usize = 2 * (MOST_LOADS + MOST_ZONES);
 const LOAD_FOURS: usize = LOAD_EDGES.div_ceil(4);
 

@@ -114,7 +114,6 @@ fn first_place<F: Float, const N: usize>(count: Dual<F, N>) -> Dual<F, N> {
     Dual::from_base(middle) - half
 }
 
-/// Where cells are cut.
 #[derive(Clone, Copy)]
 struct Cut<F, const N: usize> {
     place: Dual<F, N>,

@@ -13,7 +13,6 @@ const HALF_WIDTH: f64 = 0.75;
 /// Halvings and Newton steps of a search at most; five are usual.
 const INVERSION_STEPS: u32 = 60;
 
-/// Number of directions.
 pub(crate) const DIRECTIONS: usize = 4;
 /// Number of directions of the derivatives that numbers carry at once: on a microcontroller and in
 /// a browser one, which takes the least memory and code.

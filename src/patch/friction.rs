@@ -48,8 +48,7 @@ use crate::status::{Error, Warning};
 /// use kstrip::{patch::Patch, patch::friction::solve_patch_with_law, contact::totals::StripCount};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let patch = Patch::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let wet = SlipFriction {

@@ -160,7 +160,6 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         creepage_at(&self.half_spaces(seen), -self.x, -self.y)
     }
 
-    /// The bristles of a strip.
     fn bristles(&self, strip: &PatchStrip<F>) -> Rates<T> {
         let [x, y, spin] = self.split.rates;
         let bound = strip.friction * strip.peak_pressure;

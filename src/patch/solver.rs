@@ -236,8 +236,7 @@ impl<F: Float> Problem<'_, F> {
 /// use kstrip::{patch::Patch, patch::solver::solve_patch};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let mut patch = Patch::from_ellipse(&contact, StripCount::Sixteen)?;
 /// let creepage = Creepage { longitudinal: 3e-3, lateral: 0.0, spin: 0.0 };

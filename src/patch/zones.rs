@@ -109,7 +109,6 @@ impl<F: Float> Walk<F> {
         Self { peak: strip.half_length, neck: strip.half_length, weight: F::one(), per_width }
     }
 
-    /// The weight of the next strip.
     fn weight_of(&mut self, last: &PatchStrip<F>, next: &PatchStrip<F>) -> F {
         let l = next.half_length;
         self.neck = self.neck.min(l);

@@ -4,7 +4,6 @@ use crate::number::Float;
 
 /// Metres per mm.
 pub(super) const MILLIMETRE: f64 = 1e-3;
-/// Fewest points.
 pub(super) const FEWEST_POINTS: usize = 4;
 /// Largest coordinate \[units of the file\].
 pub(super) const LARGEST: f64 = 1e12;

@@ -56,7 +56,6 @@ pub const KSTRIP_NOTE_DOUBT_POINTS: u32 = 131_072;
 /// Note on a profile file: its shape has no side, without a flange or of a symmetric head.
 pub const KSTRIP_NOTE_SYMMETRIC: u32 = 262_144;
 
-/// All doubts.
 pub(super) const DOUBTS: u32 = KSTRIP_NOTE_DOUBT_KIND
     | KSTRIP_NOTE_DOUBT_Z
     | KSTRIP_NOTE_DOUBT_SIDE

@@ -7,7 +7,6 @@ use super::text::{Lines, Separator, Words, number, pair, up_to, whole};
 use crate::number::Float;
 use crate::status::Error;
 
-/// Deepest nesting of sections.
 const DEEPEST_NESTING: usize = 8;
 
 /// Whether a line begins a section of such a file.

@@ -75,8 +75,7 @@ const TAKEN: f64 = 1e4;
 /// use kstrip::{contact::Contact, rig::creepage_for_force};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.3,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let options = Options::default();
 /// let (creepage, _) = creepage_for_force(&contact, [15e3, -2e3], 0.1_f64, None, &options)?;

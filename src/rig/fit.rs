@@ -121,7 +121,6 @@ struct Fit<'a, F> {
 /// Least plausible slope factor: measured curves have 0.2 to 1.
 const LEAST_SLOPE_FACTOR: f64 = 0.05;
 
-/// A minimum of the sum.
 #[derive(Clone, Copy)]
 struct Minimum<F> {
     at: Vector6<F>,
@@ -134,7 +133,6 @@ fn choose<F>(other: F, wanted: bool, one: F) -> F {
     if wanted { one } else { other }
 }
 
-/// The parameters of a law.
 fn parameters<F: Float>(law: &SlipFriction<F>) -> Vector6<F> {
     let SlipFriction { friction, ratio, decay, slope_factor, slide_factor, layer, .. } = *law;
     Vector6::new(friction, ratio, decay, slope_factor, slide_factor, layer)

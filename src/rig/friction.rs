@@ -52,8 +52,7 @@ const ZERO_ROUNDINGS: f64 = 32.0;
 /// use kstrip::{forces::{Options, forces_of_contact}, rig::*};
 /// let contact = Contact {
 ///     a: 6e-3, b: 4e-3, normal_force: 80e3, friction: 0.22,
-///     shear_modulus: 82e9, poisson_ratio: 0.28,
-///     mismatch: 0.0,
+///     shear_modulus: 82e9, poisson_ratio: 0.28, mismatch: 0.0,
 /// };
 /// let creepage = Creepage { longitudinal: 2e-3, lateral: 0.0, spin: 0.1 };
 /// let options = Options::default();

@@ -9,7 +9,6 @@ const UNITS: usize = OUTPUT.len();
 /// Features that depend on the motion; two others depend on the contact alone.
 pub(super) const INPUTS: usize = INPUT.len();
 
-/// The network of one contact.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripNetwork<F> {
     /// Sums of the units over the features of the contact.

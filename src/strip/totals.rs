@@ -275,7 +275,6 @@ impl<F: Real> EllipseStrips<F> {
     }
 }
 
-/// Forces of one strip.
 #[inline(never)]
 pub(crate) fn alone<T: Arithmetic<Value: Real>>(
     seen: &StripCreepage<T>, spin: &Spin<T>, inner: bool,

@@ -64,7 +64,6 @@ impl<F: Float> Position<F> {
         if left { Self { lateral: -lateral, yaw: -yaw, roll: -roll, ..self } } else { self }
     }
 
-    /// The members.
     pub(crate) fn members_mut(&mut self) -> [&mut F; 4] {
         let Self { lateral, vertical, yaw, roll } = self;
         [lateral, vertical, yaw, roll]

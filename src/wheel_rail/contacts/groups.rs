@@ -62,7 +62,6 @@ pub(crate) struct Group<F> {
     pub zones: [usize; 2],
 }
 
-/// Groups of zones.
 pub(crate) type Groups<F> = Vec<Group<F>, KSTRIP_CONTACTS_CAPACITY>;
 
 /// A zone where zones are grouped: its place, counted in free length, and its depth.

@@ -25,7 +25,6 @@ use crate::wheel_rail::{Position, sine_cosine};
 /// Roundings by which the last point of a gap may be off.
 const ROUNDINGS: f64 = 1e3;
 
-/// The lists of a gap.
 pub(super) type Lists<'a, F> = [&'a [F]; 7];
 
 /// The points of a gap, which move with the members of a position.

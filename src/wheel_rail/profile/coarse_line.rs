@@ -209,7 +209,6 @@ impl<F: Float> CoarseLine<F> {
         rough <= limit
     }
 
-    /// The foot of a point on a segment.
     #[inline]
     fn foot(&self, segment: usize, point: [F; 2]) -> Option<NearestPoint<F>> {
         let (from, [y, z]) = self.get(segment)?;

@@ -115,7 +115,6 @@ pub(crate) fn with_moment<F: Float>(place: [F; 3], direction: [F; 3]) -> [F; 6] 
     [a, b, c, d, e, f]
 }
 
-/// A wheel that is turned.
 #[derive(Clone, Copy)]
 pub(crate) struct Wheel<F> {
     radius: F,
