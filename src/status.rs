@@ -192,7 +192,7 @@ statuses! {
         KSTRIP_ERROR_ANGLE Angle = -52:
             "a yaw, roll or cant is 1 rad or more, or a wheel beside the rail has a yaw or roll \
              above 0.2 rad",
-            "it is probably in degrees: multiply degrees by 0.01745";
+            "it is probably in degrees: multiply it by 0.01745 to have it in radians";
         KSTRIP_ERROR_LENGTH_UNIT LengthUnit = -53:
             "the wheel is over 0.7 m beside or 5 m above or below the rail, its radius exceeds 5 \
              m, or a profile 1 m",
