@@ -2510,8 +2510,8 @@ kstrip_status kstrip_heights_for_loads(const struct kstrip_surface *rail,
 /** Ranges of a contact table, and how many nodes it has. */
 typedef struct kstrip_table_spec {
     /**
-     * Range of the lateral position without yaw and roll [m]. It shifts with the place at which
-     * the flange touches, about by roll times wheel_radius.
+     * Range of the lateral position without yaw and roll [m]. With them the range has the same
+     * places of contact, and is shifted by about roll times wheel_radius.
      */
     double lateral_from;
     /** End of this range [m]. */

@@ -1,10 +1,11 @@
-//! A table is begun: places on the wheel, loads of the levels, the lateral nodes, and the shifts of
-//! the slabs.
+//! A table is begun: places on the wheel, loads of the levels, and the lateral nodes of all slabs.
 //!
 //! * The loads grow with the third power of the level: the heights then have about equal distances.
-//! * Lateral nodes are found for the slab without yaw and roll: the interval in whose middle the
-//!   interpolation is worst is halved, as long as there are nodes.
-//! * A slab is shifted by as much as the lateral position at which the flange carries.
+//! * Lateral nodes are found for the slab without yaw and roll: the interval whose length times the
+//!   error of the interpolation in its middle is largest is halved, as long as there are nodes.
+//! * In a slab with yaw and roll a node lies where the contact has the angle that it has at this
+//!   node without yaw and roll, so that what changes quickly with the lateral position lies at the
+//!   same nodes in all slabs. The angle is the mean of all strips weighted with load.
 
 use super::axis::Around;
 use super::block::{
@@ -13,7 +14,7 @@ use super::block::{
 use super::fill::plain;
 use super::spec::TableSpec;
 use crate::contact::totals::StripCount;
-use crate::number::{Float, at, sort};
+use crate::number::{Float, at, pairs, sort};
 use crate::status::Error;
 use crate::wheel_rail::Position;
 use crate::wheel_rail::scene::{Scene, Workspace};
@@ -24,21 +25,35 @@ const FIRST_LOAD: f64 = 1e-7;
 /// Loads that find the lateral nodes, over the largest.
 const PROBED: [f64; 2] = [0.055, 0.55];
 /// Nearest lateral nodes \[m\].
-const NEAREST_NODES: f64 = 16e-6;
+const NEAREST_NODES: f64 = 6e-6;
 /// Part of an interval's error that its halves are expected to have.
 const LEFT: f64 = 0.25;
-/// Load that finds the flange, over the largest, and the angle of a contact there \[rad\].
-const FLANGE_LOAD: f64 = 0.09;
-const FLANGE_ANGLE: f64 = -0.7;
-/// How far the flange is sought from where it would be by the roll alone \[m\], and how often this
-/// range is halved.
-const FLANGE_RANGE: f64 = 4e-3;
-const FLANGE_HALVINGS: u32 = 14;
+/// Load whose angle of contact is the same in all slabs, over the largest.
+const ANGLE_LOAD: f64 = 0.09;
+/// At so many angles of contact the lateral positions of a slab are found, between which they are
+/// linear.
+const KNOTS: usize = 16;
+/// How far a lateral position is sought from where it would be by the roll alone \[m\], and how
+/// often a range is halved.
+const RANGE: f64 = 4e-3;
+const HALVINGS: u32 = 15;
+/// Least part of a step of the lateral position in a slab over that without yaw and roll.
+const LEAST_STEP: f64 = 0.05;
 const PROBE: usize = 8;
 
 /// Numbers of the contacts at a lateral position that must be interpolated well, and by how much
 /// they may be wrong to be as bad as another.
 type Probe<F> = [F; PROBE];
+
+/// A number between those of knots, at the ends with the shift of the last one.
+fn between<F: Float>(knots: &[[F; 2]], x: F) -> Option<F> {
+    let ([first, of_first], [last, of_last]) = (*knots.first()?, *knots.last()?);
+    if x <= first || x >= last {
+        return Some(if x <= first { of_first + (x - first) } else { of_last + (x - last) });
+    }
+    let ([from, p], [to, q]) = pairs(knots).find(|(_, [to, _])| x <= *to)?;
+    Some(*p + (*q - *p) * ((x - *from) / (*to - *from)))
+}
 
 impl<F: Float> TableSpec<F> {
     /// Begins a table in a block. The pair's side, friction and damping do not matter.
@@ -75,13 +90,10 @@ impl<F: Float> TableSpec<F> {
         ] {
             write_number(block, number, value.to_f64());
         }
-        let [shifts, of_lateral, loads, of_places, ..] = counts.sections();
+        let [_, loads, of_places, ..] = counts.sections();
         let mut write = |from: usize, k: usize, value: F| {
             write_bytes(block, from + 8 * k, value.to_f64().to_le_bytes());
         };
-        for (k, x) in lateral.iter().enumerate() {
-            write(of_lateral, k, *x);
-        }
         let last = F::widened((counts.levels - 1) as f32);
         for k in 0..counts.levels {
             let share = F::widened(k as f32) / last;
@@ -99,57 +111,112 @@ impl<F: Float> TableSpec<F> {
                 write(of_places, 4 * k + member, value);
             }
         }
-        self.write_shifts(&scene, shifts, memory, block)
+        self.write_lateral_nodes(&scene, &lateral, memory, block)
     }
 
-    /// Writes by how much each slab is shifted.
-    fn write_shifts(
-        &self, scene: &Scene<F>, from: usize, memory: &mut Workspace<F>, block: &mut [u8],
+    /// Writes the lateral nodes of all slabs.
+    fn write_lateral_nodes(
+        &self, scene: &Scene<F>, lateral: &[F], memory: &mut Workspace<F>, block: &mut [u8],
     ) -> Result<(), Error> {
-        let range = F::of(FLANGE_RANGE);
-        let base =
-            self.flange(scene, &Position::default(), self.lateral_from, self.lateral_to, memory);
-        for slab in 0..ContactTable::in_state(block, BEGUN)?.counts.slabs() {
-            let table = ContactTable::in_state(block, BEGUN)?;
-            let [roll, yaw] = table.roll_and_yaw::<F>(slab);
-            let by_roll = roll * scene.pair.wheel_radius;
+        let knots = self.knots(scene, lateral, memory);
+        let counts = ContactTable::in_state(block, BEGUN)?.counts;
+        let [from, ..] = counts.sections();
+        for slab in 0..counts.slabs() {
+            let [roll, yaw] = ContactTable::in_state(block, BEGUN)?.roll_and_yaw::<F>(slab);
             let position = Position { yaw, roll, ..Position::default() };
-            let shift = base.and_then(|base| {
-                let about = base + by_roll;
-                let own = self.flange(scene, &position, about - range, about + range, memory)?;
-                Some(own - base)
-            });
-            let shift = shift.unwrap_or(by_roll);
-            write_bytes(block, from + 8 * slab, shift.to_f64().to_le_bytes());
+            let by_roll = roll * scene.pair.wheel_radius;
+            // the lateral positions of the knots
+            let mut found = Vec::<[F; 2], KNOTS>::new();
+            for [x, angle] in &knots {
+                let about = *x + by_roll;
+                let range = [-RANGE, RANGE].map(|distance| about + F::of(distance));
+                let own = self.lateral_of(scene, &position, *angle, range, memory);
+                // where the contact has not this angle, the shift is that of the knot before
+                let own = match found.last() {
+                    None => own.unwrap_or(about),
+                    Some([before, last]) => {
+                        let step = *x - *before;
+                        own.unwrap_or(*last + step).max(*last + step.times(LEAST_STEP))
+                    }
+                };
+                let _ = found.push([*x, own]);
+            }
+            for (k, x) in lateral.iter().enumerate() {
+                let own = between(&found, *x).unwrap_or(*x + by_roll);
+                let part = slab * counts.lateral + k;
+                write_bytes(block, from + 8 * part, own.to_f64().to_le_bytes());
+            }
         }
         Ok(())
     }
 
-    /// The lateral position between two at which the flange begins to carry; none where it does at
-    /// the first, or not at the last.
-    fn flange(
-        &self, scene: &Scene<F>, position: &Position<F>, mut free: F, mut on: F,
-        memory: &mut Workspace<F>,
-    ) -> Option<F> {
-        let mut carries = |lateral: F| {
-            let position = Position { lateral, ..*position };
-            let load = self.load.times(FLANGE_LOAD);
-            let found = scene.height_for_load(&position, load, None, memory);
-            let first = memory.found().first();
-            found.is_err() || first.is_none_or(|own| own.angle < F::of(FLANGE_ANGLE))
-        };
-        if carries(free) || !carries(on) {
-            return None;
-        }
-        for _ in 0..FLANGE_HALVINGS {
-            let middle = (free + on).times(0.5);
-            if carries(middle) {
-                on = middle;
-            } else {
-                free = middle;
+    /// Lateral positions without yaw and roll with their angles of contact, which are at equal
+    /// distances.
+    fn knots(
+        &self, scene: &Scene<F>, lateral: &[F], memory: &mut Workspace<F>,
+    ) -> Vec<[F; 2], KNOTS> {
+        let mut angles = Vec::<[F; 2], 256>::new();
+        for x in lateral {
+            let position = Position { lateral: *x, ..Position::default() };
+            if let Some(angle) = self.angle_of_contact(scene, &position, memory) {
+                let _ = angles.push([*x, angle]);
             }
         }
-        Some(free)
+        let mut knots = Vec::new();
+        let (Some([_, first]), Some([_, last])) = (angles.first(), angles.last()) else {
+            return knots;
+        };
+        for k in 0..KNOTS {
+            // not the steepest: a slab may not have them
+            let share = F::widened((k as f32 + 0.5) / (KNOTS + 1) as f32);
+            let angle = *first + (*last - *first) * share;
+            let around = pairs(&angles).find(|([_, p], [_, q])| *p <= angle && angle < *q);
+            let Some(([from, _], [to, _])) = around else { continue };
+            let found = self.lateral_of(scene, &Position::default(), angle, [*from, *to], memory);
+            if let Some(x) = found {
+                let _ = knots.push([x, angle]);
+            }
+        }
+        knots
+    }
+
+    /// The lateral position in a range at which the contact has an angle; none if it does not.
+    fn lateral_of(
+        &self, scene: &Scene<F>, position: &Position<F>, angle: F, [mut from, mut to]: [F; 2],
+        memory: &mut Workspace<F>,
+    ) -> Option<F> {
+        let mut is_before = |lateral: F| {
+            let position = Position { lateral, ..*position };
+            Some(self.angle_of_contact(scene, &position, memory)? <= angle)
+        };
+        if is_before(from) == Some(false) || is_before(to) == Some(true) {
+            return None;
+        }
+        for _ in 0..HALVINGS {
+            let middle = (from + to).times(0.5);
+            if is_before(middle)? {
+                from = middle;
+            } else {
+                to = middle;
+            }
+        }
+        Some((from + to).times(0.5))
+    }
+
+    /// The angle of contact of a position, positive toward the flange \[rad\].
+    fn angle_of_contact(
+        &self, scene: &Scene<F>, position: &Position<F>, memory: &mut Workspace<F>,
+    ) -> Option<F> {
+        scene.height_for_load(position, self.load.times(ANGLE_LOAD), None, memory).ok()?;
+        let (mut sum, mut all) = (F::zero(), F::zero());
+        for contact in memory.found() {
+            for (k, strip) in contact.patch.used().iter().enumerate() {
+                let own = strip.load() * contact.share;
+                sum += own * -at(&contact.strip_angle, k);
+                all += own;
+            }
+        }
+        (all > F::zero()).then(|| sum / all)
     }
 
     /// Numbers that must be interpolated well at a lateral position, in units of their errors.
@@ -207,13 +274,13 @@ impl<F: Float> TableSpec<F> {
         }
         Error::TableSpec.unless(nodes.iter().any(|node| node.found.is_some()))?;
         while nodes.len() < count {
-            // the interval with the largest expected error, of equal ones the longest
+            // the interval with the largest expected error times length, of equal ones the longest
             let mut worst = (0, -F::one(), F::zero());
             for k in 0..nodes.len() - 1 {
                 let (Some(own), Some(next)) = (nodes.get(k), nodes.get(k + 1)) else { continue };
                 let size = next.x - own.x;
                 let is_near = size < F::of(2.0 * NEAREST_NODES);
-                let error = if is_near { F::zero() } else { own.error };
+                let error = if is_near { F::zero() } else { own.error * size };
                 if error > worst.1 || (error == worst.1 && size > worst.2) {
                     worst = (k, error, size);
                 }

@@ -14,14 +14,18 @@ use heapless::Vec;
 /// Largest number of nodes around a position.
 const AROUND: usize = 256;
 
-/// The numbers of a position at successive places of the wheel.
-pub(super) struct Blend<F> {
+/// Numbers at successive places of the wheel.
+pub(super) type AtPlaces<F> = Vec<F, MOST_PLACES>;
+
+/// The numbers of a position. Its lists are memory of the caller's: a structure that owned them
+/// would be filled with zeros first.
+pub(super) struct Blend<'a, F> {
     /// `l²` \[m²\].
-    pub square: Vec<F, MOST_PLACES>,
+    pub square: &'a mut AtPlaces<F>,
     /// `p²` \[Pa²\].
-    pub pressure: Vec<F, MOST_PLACES>,
+    pub pressure: &'a mut AtPlaces<F>,
     /// Half the angle between the surfaces \[rad\].
-    pub half_angle: Vec<F, MOST_PLACES>,
+    pub half_angle: &'a mut AtPlaces<F>,
     /// Quantity of the first place.
     pub first: usize,
     /// Vertical support \[N\], and its derivative with respect to the vertical position.
@@ -37,18 +41,12 @@ pub(super) fn pressure_by_square(modulus: f64, poisson_ratio: f64, radius: f64) 
     slope * slope
 }
 
-impl<F: Float> Blend<F> {
-    pub const fn nothing() -> Self {
-        let zero = F::ZERO;
-        Self {
-            square: Vec::new(),
-            pressure: Vec::new(),
-            half_angle: Vec::new(),
-            first: 0,
-            support: zero,
-            stiffness: zero,
-            depth: zero,
-        }
+impl<'a, F: Float> Blend<'a, F> {
+    /// With empty lists.
+    pub fn in_lists([square, pressure, half_angle]: [&'a mut AtPlaces<F>; 3]) -> Self {
+        let zero = F::zero();
+        let (support, stiffness, depth) = (zero, zero, zero);
+        Self { square, pressure, half_angle, first: 0, support, stiffness, depth }
     }
 
     /// Finds the numbers of a position of a right wheel. Returns whether anything touches there. A
@@ -62,14 +60,14 @@ impl<F: Float> Blend<F> {
     ) -> Result<bool, Error> {
         let Counts { lateral, levels, yaw, .. } = table.counts;
         let Position { lateral: y, vertical, yaw: angle, roll } = *position;
-        let [of_roll, of_yaw] = table.slabs_around(roll, angle);
+        let slabs = table.slabs_around(roll, angle);
         let in_slab = |number: Quantity, angle: F| angle.abs() <= F::of(table.quantity(number));
-        let shift = of_roll.blend(|r| of_yaw.blend(|a| table.slab_shift(r * yaw + a)));
-        let [least, most] = [0, lateral - 1].map(|k| table.lateral::<F>(k));
-        let x = y - shift;
+        let node = |k: usize| table.lateral_between(&slabs, k);
         let is_inside = in_slab(Quantity::Yaw, angle) && in_slab(Quantity::Roll, roll);
-        Error::TableRange.unless(is_beyond || (is_inside && x >= least && x <= most))?;
-        let of_lateral = Around::new(|k| table.lateral(k), lateral, x);
+        Error::TableRange
+            .unless(is_beyond || (is_inside && y >= node(0) && y <= node(lateral - 1)))?;
+        let of_lateral = Around::new(node, lateral, y);
+        let [of_roll, of_yaw] = &slabs;
         let mut parts = Vec::<(usize, F), AROUND>::new();
         for (r, by_roll) in of_roll.nodes() {
             for (a, by_yaw) in of_yaw.nodes() {
@@ -147,13 +145,21 @@ impl<F: Float> Blend<F> {
             let (Some(begin), Some(end)) = (angles.first(), angles.last()) else { continue };
             // beyond its places a node has the angles of the first and of the last
             let angle = weight.times(1.0 / 32767.0);
-            for (k, own) in half_angle.iter_mut().enumerate() {
-                let bytes = match k.checked_sub(first) {
-                    None => begin,
-                    Some(inside) => angles.get(inside).unwrap_or(end),
-                };
+            let (before, rest) = parted(half_angle, first);
+            let (inside, after) = parted(rest, angles.len());
+            for (own, bytes) in inside.iter_mut().zip(angles) {
                 *own += number(bytes) * angle;
+            }
+            for (places, outer) in [(before, begin), (after, end)] {
+                let term = number(outer) * angle;
+                places.iter_mut().for_each(|own| *own += term);
             }
         }
     }
+}
+
+/// The first numbers of a list, at most so many, and the others.
+fn parted<F>(list: &mut [F], first: usize) -> (&mut [F], &mut [F]) {
+    let first = first.min(list.len());
+    list.split_at_mut_checked(first).unwrap_or_default()
 }

@@ -3,8 +3,8 @@
 //! ```text
 //!   0  "kstriptb"            8  version, state          16  length, checksum of the rest
 //!  32  five counts           64  twelve numbers
-//! then in double precision: shifts of the slabs, lateral nodes, loads to the power 2/3, places on
-//! the wheel (y, z, cosine, sine), heights; of each node offset, first place, number of
+//! then in double precision: lateral nodes of each slab, loads to the power 2/3, places on the wheel
+//! (y, z, cosine, sine), heights; of each node offset, first place, number of
 //! places and two scales; then of each node l² and p² with a sign and half the angle between the
 //! surfaces, as integers of 16 bits
 //! ```
@@ -80,15 +80,14 @@ impl Counts {
         self.all_parts() * self.levels
     }
 
-    /// Where shifts, lateral nodes, loads, places, heights, records and fields begin.
-    pub const fn sections(&self) -> [usize; 7] {
-        let shifts = NUMBERS_AT + 8 * NUMBERS;
-        let lateral = shifts + 8 * self.slabs();
-        let loads = lateral + 8 * self.lateral;
+    /// Where lateral nodes, loads, places, heights, records and fields begin.
+    pub const fn sections(&self) -> [usize; 6] {
+        let lateral = NUMBERS_AT + 8 * NUMBERS;
+        let loads = lateral + 8 * self.all_parts();
         let places = loads + 8 * self.levels;
         let heights = places + PLACE * self.places;
         let records = heights + 8 * self.all_nodes();
-        [shifts, lateral, loads, places, heights, records, records + RECORD * self.all_nodes()]
+        [lateral, loads, places, heights, records, records + RECORD * self.all_nodes()]
     }
 
     /// Bytes of a table whose nodes have all places, if they can be counted.
@@ -183,7 +182,7 @@ pub(crate) fn head_length(start: &[u8]) -> Result<u32, Error> {
 pub struct ContactTable<'a> {
     bytes: &'a [u8],
     pub(super) counts: Counts,
-    sections: [usize; 7],
+    sections: [usize; 6],
 }
 
 impl<'a> ContactTable<'a> {
@@ -242,18 +241,22 @@ impl<'a> ContactTable<'a> {
         F::of(number_at(self.bytes, from + 8 * k))
     }
 
-    /// By how much the lateral nodes of a slab are shifted \[m\].
-    pub(super) fn slab_shift<F: Float>(&self, slab: usize) -> F {
-        self.number_of(0, slab)
+    /// The lateral position of a part \[m\].
+    pub(super) fn lateral<F: Float>(&self, part: usize) -> F {
+        self.number_of(0, part)
     }
 
-    pub(super) fn lateral<F: Float>(&self, k: usize) -> F {
-        self.number_of(1, k)
+    /// The lateral node `k` between slabs \[m\].
+    pub(super) fn lateral_between<F: Float>(
+        &self, [of_roll, of_yaw]: &[Around<F>; 2], k: usize,
+    ) -> F {
+        let Counts { lateral, yaw, .. } = self.counts;
+        of_roll.blend(|r| of_yaw.blend(|a| self.lateral((r * yaw + a) * lateral + k)))
     }
 
     /// Supports of the levels, to the power 2/3.
     pub(super) fn load<F: Float>(&self, level: usize) -> F {
-        self.number_of(2, level)
+        self.number_of(1, level)
     }
 
     /// Length on the wheel of a place, from the first point of its profile \[m\].
@@ -263,7 +266,7 @@ impl<'a> ContactTable<'a> {
 
     /// The wheel's profile at a place.
     pub(super) fn point<F: Float>(&self, k: usize) -> CurvePoint<F> {
-        let [y, z, cosine, sine] = [0, 1, 2, 3].map(|member| self.number_of(3, 4 * k + member));
+        let [y, z, cosine, sine] = [0, 1, 2, 3].map(|member| self.number_of(2, 4 * k + member));
         CurvePoint { y, z, cosine, sine }
     }
 

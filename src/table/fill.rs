@@ -73,8 +73,7 @@ pub(super) fn position_of<F: Float>(table: &ContactTable, part: usize) -> Positi
     let nodes = table.counts.lateral.max(1);
     let slab = part / nodes;
     let [roll, yaw] = table.roll_and_yaw(slab);
-    let lateral = table.lateral::<F>(part % nodes) + table.slab_shift(slab);
-    Position { lateral, vertical: F::zero(), yaw, roll }
+    Position { lateral: table.lateral(part), vertical: F::zero(), yaw, roll }
 }
 
 /// Fills a part. A node that has no contact gets a height that is no number.

@@ -7,7 +7,7 @@
 //! 3. **Contacts** are groups of zones of strips, as in the direct computation.
 //! 4. The pressures are multiplied by one factor, so that they support what the heights tell.
 
-use super::blend::Blend;
+use super::blend::{AtPlaces, Blend};
 use super::block::ContactTable;
 use crate::forces::Model;
 use crate::normal::crossings::Overlap;
@@ -30,8 +30,8 @@ use heapless::Vec;
 pub(super) const ROUNDNESS: f64 = 2.6;
 /// Largest factor of the pressures.
 const MOST_SCALED: f64 = 2.0;
-/// Largest number of strips of all contacts.
-const MOST_STRIPS: usize = 4 * KSTRIP_PATCH_CAPACITY;
+/// One strip more than all contacts together may have.
+const TOO_MANY: usize = KSTRIP_PATCH_CAPACITY + 1;
 /// Step of differences \[m, rad\], in double and in single precision.
 const STEPS: [f64; 2] = [1e-8, 5e-6];
 
@@ -69,24 +69,19 @@ fn bend<F: Float>(list: &[F], k: usize, stride: usize) -> F {
     beside.map_or(F::zero(), |(before, after)| at(list, before) - at(list, k).times(2.0) + *after)
 }
 
-/// Strips on the wheel, and the zones that they are.
-struct OnWheel<F> {
-    strips: Vec<Covered<F>, MOST_STRIPS>,
-    zones: Overlaps<F>,
-}
+/// Strips on the wheel, as many as there is room for.
+type OnWheel<F> = Vec<Covered<F>, TOO_MANY>;
 
-impl<F: Float> OnWheel<F> {
-    const fn nothing() -> Self {
-        Self { strips: Vec::new(), zones: Overlaps::new() }
-    }
-
-    /// Finds the strips of blended numbers on a wheel of a radius. `stride` is the number of places
-    /// from one end of an interval to the other, a power of two.
+impl<F: Float> Blend<'_, F> {
+    /// Finds the strips on a wheel of a radius, and the zones that they are. `stride` is the number
+    /// of places from one end of an interval to the other, a power of two.
     #[inline(never)]
-    fn find(&mut self, table: &ContactTable, blend: &Blend<F>, stride: usize, radius: F) {
-        let Blend { square, pressure, half_angle, first, .. } = blend;
-        *self = Self::nothing();
-        let Self { strips, zones } = self;
+    fn cover(
+        &self, table: &ContactTable, (stride, radius): (usize, F), strips: &mut OnWheel<F>,
+    ) -> Overlaps<F> {
+        let Self { square, pressure, half_angle, first, .. } = self;
+        let mut zones = Overlaps::new();
+        strips.clear();
         let mut open: Option<Overlap<F>> = None;
         let mut zone = 0;
         let per_depth = F::one() / radius.times(ROUNDNESS);
@@ -118,7 +113,8 @@ impl<F: Float> OnWheel<F> {
                 (middle(list) - bends * width.times(1.0 / 24.0)).max(zero)
             };
             let lengths = shares.map(|share| here(k) + step * share);
-            let _ = strips.push(Covered {
+            let [begin, end] = lengths;
+            let strip = Covered {
                 before: first + k,
                 share,
                 ends: lengths,
@@ -126,8 +122,10 @@ impl<F: Float> OnWheel<F> {
                 square: mean(square),
                 pressure: mean(pressure),
                 zone,
-            });
-            let [begin, end] = lengths;
+            };
+            if strip.square.sqrt() > F::TINY && end - begin > F::TINY {
+                let _ = strips.push(strip);
+            }
             let own = open.get_or_insert(Overlap { ends: [begin, end], depth: zero });
             own.ends[1] = end;
             own.depth = own.depth.max(from.max(to) * per_depth);
@@ -139,14 +137,15 @@ impl<F: Float> OnWheel<F> {
         if let Some(last) = open {
             zones.push(last);
         }
+        zones
     }
 }
 
-/// The places of strips on the wheel's surface, four side by side.
-fn places_of<F: Float>(
-    table: &ContactTable, wheel: &Wheel<F>, strips: &[Covered<F>], stride: usize, rail_speed: F,
-) -> Vec<Place<F>, MOST_STRIPS> {
-    let mut places = Vec::new();
+/// Appends the places of strips on the wheel's surface, four side by side.
+fn add_places<F: Float>(
+    table: &ContactTable, wheel: &Wheel<F>, strips: &[Covered<F>],
+    (stride, rail_speed): (usize, F), places: &mut Vec<Place<F>, TOO_MANY>,
+) {
     for four in strips.chunks(F::Four::COUNT) {
         let of = |k: usize| four.get(k).or(four.last());
         let point = |further: usize, member: fn(CurvePoint<F>) -> F| {
@@ -186,7 +185,6 @@ fn places_of<F: Float>(
             });
         }
     }
-    places
 }
 
 /// A finished table as the source of the contacts of a [`Scene`](crate::wheel_rail::scene::Scene).
@@ -233,39 +231,39 @@ impl<F: Float> TableScene<'_, F> {
         let Self { table, pair, .. } = self;
         (memory.count, memory.gap.count) = (0, 0);
         let right = position.mirrored(pair.left != 0);
-        let mut blend = Blend::nothing();
+        let (mut square, mut pressure, mut half_angle) =
+            (AtPlaces::new(), AtPlaces::new(), AtPlaces::new());
+        let mut blend = Blend::in_lists([&mut square, &mut pressure, &mut half_angle]);
         if !blend.find(table, &right, is_beyond)? {
             return Ok(Warning::None);
         }
         let (mut stride, mut warning) = (1, Warning::None);
-        let mut own = OnWheel::nothing();
-        own.find(table, &blend, stride, pair.wheel_radius);
-        while own.strips.len() > KSTRIP_PATCH_CAPACITY {
+        let mut own = OnWheel::new();
+        let mut zones = blend.cover(table, (stride, pair.wheel_radius), &mut own);
+        while own.len() > KSTRIP_PATCH_CAPACITY {
             (stride, warning) = (2 * stride, Warning::Rough);
-            own.find(table, &blend, stride, pair.wheel_radius);
+            zones = blend.cover(table, (stride, pair.wheel_radius), &mut own);
         }
         let wheel = Wheel::new(pair.wheel_radius, &right);
-        let places = places_of(table, &wheel, &own.strips, stride, pair.rail_speed);
+        let mut places = Vec::new();
+        add_places(table, &wheel, &own, (stride, pair.rail_speed), &mut places);
         let mut groups = Groups::new();
-        if !own.zones.group(&mut groups) {
+        if !zones.group(&mut groups) {
             warning = Warning::Rough;
         }
         let (mut support, mut written) = (F::zero(), 0);
         let Workspace { strips, contacts, .. } = memory;
         for (group, contact) in groups.iter().zip(contacts.iter_mut()) {
             let [first, last] = group.zones;
-            let begin = own.strips.partition_point(|strip| strip.zone < first);
-            let inside = own.strips.iter().skip(begin).take_while(|strip| strip.zone <= last);
-            strips.clear(pair.shear_modulus, pair.poisson_ratio);
-            let mut of_strips = Vec::<Place<F>, KSTRIP_PATCH_CAPACITY>::new();
-            for (strip, place) in inside.zip(places.iter().skip(begin)) {
-                if let Some(strip) = strip.of_patch(place)
-                    && strips.push(strip)
-                {
-                    let _ = of_strips.push(*place);
-                }
-            }
+            let begin = own.partition_point(|strip| strip.zone < first);
+            let end = own.partition_point(|strip| strip.zone <= last);
+            let of_group = (own.get(begin..end)).zip(places.get(begin..end));
+            let Some((inside, of_strips)) = of_group else { continue };
             let Some(first) = of_strips.first() else { continue };
+            strips.clear(pair.shear_modulus, pair.poisson_ratio);
+            for (strip, place) in inside.iter().zip(of_strips) {
+                strips.push(strip.of_patch(place));
+            }
             let indented = [blend.depth, blend.stiffness];
             contact.fill(pair, &right, strips, indented, |k, _| *of_strips.get(k).unwrap_or(first));
             contact.share = group.share.clamped(F::zero(), F::one());
@@ -329,18 +327,17 @@ impl<F: Float> TableScene<'_, F> {
 }
 
 impl<F: Float> Covered<F> {
-    /// The strip of a patch at a place; none that carries nothing.
-    fn of_patch(&self, place: &Place<F>) -> Option<PatchStrip<F>> {
+    /// The strip of a patch at a place.
+    fn of_patch(&self, place: &Place<F>) -> PatchStrip<F> {
         let ([begin, end], [centre_x, ..]) = (self.ends, place.point);
-        let strip = PatchStrip {
+        PatchStrip {
             y: (begin + end).times(0.5),
             width: end - begin,
             half_length: self.square.sqrt(),
             centre_x,
             peak_pressure: self.pressure.sqrt(),
             friction: F::zero(),
-        };
-        (strip.half_length > F::TINY && strip.width > F::TINY).then_some(strip)
+        }
     }
 }
 

@@ -191,11 +191,10 @@ fn pose<F: Float>(
     ];
     let yaw = both(yaw) * F::of(table.quantity(Quantity::Yaw));
     let roll = both(roll) * F::of(table.quantity(Quantity::Roll));
-    let [of_roll, of_yaw] = table.slabs_around(roll, yaw);
-    let yaws = table.counts.yaw;
-    let shift = of_roll.blend(|r| of_yaw.blend(|a| table.slab_shift(r * yaws + a)));
-    let [least, most] = [0, table.counts.lateral - 1].map(|k| table.lateral::<F>(k));
-    let lateral = shift + least + (most - least) * fraction(lateral);
+    let slabs = table.slabs_around(roll, yaw);
+    let [least, most] =
+        [0, table.counts.lateral - 1].map(|k| table.lateral_between::<F>(&slabs, k));
+    let lateral = least + (most - least) * fraction(lateral);
     let [low, high] = SUPPORTS.map(F::of);
     let largest = F::of(table.quantity(Quantity::Load));
     let support = largest * low * ((high / low).ln() * fraction(load)).exp();

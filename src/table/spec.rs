@@ -15,8 +15,8 @@ const STRIPS_WIDTH: f64 = 8e-3;
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableSpec<F> {
-    /// Range of the lateral position without yaw and roll \[m\]. It shifts with the place at which
-    /// the flange touches, about by roll times wheel_radius.
+    /// Range of the lateral position without yaw and roll \[m\]. With them the range has the same
+    /// places of contact, and is shifted by about roll times wheel_radius.
     pub lateral_from: F,
     /// End of this range \[m\].
     pub lateral_to: F,

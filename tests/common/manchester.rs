@@ -75,6 +75,15 @@ pub fn profile(name: &str) -> Box<PreparedProfile<f64>> {
     prepared(&y, &z)
 }
 
+/// The same, turned about its origin from y to z [rad].
+pub fn turned(name: &str, turn: f64) -> Box<PreparedProfile<f64>> {
+    let [y, z] = points(name);
+    let (sine, cosine) = turn.sin_cos();
+    let (y, z): (Vec<f64>, Vec<f64>) =
+        y.iter().zip(&z).map(|(y, z)| (y * cosine - z * sine, y * sine + z * cosine)).unzip();
+    prepared(&y, &z)
+}
+
 pub fn prepared(y: &[f64], z: &[f64]) -> Box<PreparedProfile<f64>> {
     let mut surface = zeroed::<PreparedProfile<f64>>();
     surface.prepare(y, z, 0.0, 0.0).unwrap();
