@@ -15,7 +15,7 @@ enum {
 /* of a profile with two bottoms, and of its patch */
 enum {
     FROM_PROFILE = KINDS, PATCH, PATCH_DERIVATIVES, WHEEL_FORCES, WHEEL_HEIGHT, WHEEL_ON_RAIL, WHEEL_BY_POSITION, WHEELSET,
-    WHEELSET_BY_POSITION, OF_PATCHES
+    WHEELSET_BY_POSITION, TABLE_FORCES, ON_TABLE, TABLE_BY_POSITION, OF_PATCHES
 };
 /* bottoms of a wheel's profile: none, two in one contact, three in one contact and in three, each by a share */
 enum { FLAT, TWO_BOTTOMS, THREE_BOTTOMS, SHAPES };
@@ -101,6 +101,24 @@ static void place(int shape)
     check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, NULL, &workspace, &position.vertical));
 }
 
+/* Contact tables of the wheels of each shape. */
+static kstrip_table tables[SHAPES];
+
+static void fill(kstrip_table *table)
+{
+    const kstrip_table_spec spec = {.lateral_from = -1e-3, .lateral_to = 1e-3, .load = 120e3, .lateral_nodes = 9, .levels = 6};
+    uint32_t bytes, parts;
+    kstrip_table_report report;
+    check(kstrip_table_size(&wheel, &spec, &bytes, &parts));
+    uint8_t *block = malloc(bytes);
+    if (!block)
+        exit(EXIT_FAILURE);
+    check(kstrip_table_begin(&rail, &wheel, &pair, &spec, &workspace, block, bytes));
+    check(kstrip_table_fill(&rail, &wheel, &pair, 0, parts, &workspace, block, bytes));
+    check(kstrip_table_finish(&rail, &wheel, &pair, 0, &workspace, block, bytes, &report));
+    *table = (kstrip_table){.data = block, .bytes = report.bytes};
+}
+
 /* callgrind sets its counter to zero on entry and writes it on return. */
 __attribute__((noinline)) void counted_calls(int kind, const kstrip_options *options);
 void counted_calls(int kind, const kstrip_options *options)
@@ -139,7 +157,11 @@ void counted_calls(int kind, const kstrip_options *options)
             if (kind == WHEEL_HEIGHT) {
                 double height;
                 check(kstrip_height_for_load(&rail, &wheel, &pair, &position, load, NULL, NULL, NULL, &workspace, &height));
-            } else if (kind < WHEELSET)
+            } else if (kind >= TABLE_FORCES)
+                check(kstrip_wheel_on_table(&tables[options->strips], &pair, &position, &velocity, NULL, &workspace, &wrench,
+                                            kind == TABLE_FORCES ? NULL : &slopes,
+                                            kind == TABLE_BY_POSITION ? &by_position : NULL));
+            else if (kind < WHEELSET)
                 check(kstrip_wheel_on_rail(&rail, &wheel, &pair, &position, &velocity, NULL, &workspace, &wrench,
                                            kind == WHEEL_FORCES ? NULL : &slopes,
                                            kind == WHEEL_BY_POSITION ? &by_position : NULL));
@@ -245,17 +267,21 @@ int main(void)
                     (is_f32 ? counted_calls_f32 : counted_calls)(kind, &options);
                 }
     static const char *const of_patches[] = {"from_profile", "patch", "patch_derivatives", "wheel_forces", "wheel_height", "wheel_on_rail",
-                                             "wheel_by_position", "wheelset", "wheelset_by_position"};
+                                             "wheel_by_position", "wheelset", "wheelset_by_position", "wheel_table_forces",
+                                             "wheel_table", "wheel_table_by_position"};
     static const char *const shapes[] = {"one_zone", "two_zones", "three_contacts"};
     for (int kind = FROM_PROFILE; kind < OF_PATCHES; kind++)
         for (int shape = FLAT; shape < SHAPES; shape++) {
-            const kstrip_options options = {KSTRIP_MODEL_STRIP, shape == FLAT ? 16 : 0};
-            if (shape == THREE_BOTTOMS && (kind < WHEEL_FORCES || kind >= WHEELSET))
+            /* (a wheel takes none; that of a table has its number here) */
+            const kstrip_options options = {KSTRIP_MODEL_STRIP, kind >= TABLE_FORCES ? shape : shape == FLAT ? 16 : 0};
+            if (shape == THREE_BOTTOMS && (kind < WHEEL_FORCES || kind == WHEELSET || kind == WHEELSET_BY_POSITION))
                 continue;
             printf("STRIP f64 %s_%s 16\n", of_patches[kind - FROM_PROFILE], shapes[shape]);
             if (kind >= WHEEL_FORCES)
                 place(shape);
-            else
+            if (kind == TABLE_FORCES)
+                fill(&tables[shape]);
+            if (kind < WHEEL_FORCES)
                 press(shape == TWO_BOTTOMS, &patch);
             counted_calls(kind, &options);
         }

@@ -83,10 +83,10 @@ table=$(awk '
             printf "| %d | %d | %d |\n", other[m, "derivatives"], other[m, "layer"], other[m, "layer_derivatives"]
         }
         print "\nThe next table has patches, wheels and wheelsets with STRIP.\nDerivatives are with respect to velocity, unless the row names the position:\n"
-        print "| | one wide zone | two narrow zones | three contacts, 5 mm apart |"
+        print "| | one wide zone | two narrow zones | three contacts, 8 mm apart |"
         print "|---|---|---|---|"
-        count = split("from_profile patch patch_derivatives wheel_forces wheel_on_rail wheel_by_position wheel_height wheelset wheelset_by_position", kinds, " ")
-        split("`kstrip_patch_from_profile`;`kstrip_patch_evaluate`;with derivatives;`kstrip_wheel_on_rail`;with derivatives;and with respect to position;`kstrip_height_for_load`;`kstrip_wheelset_on_track` with derivatives;and with respect to position", names, ";")
+        count = split("from_profile patch patch_derivatives wheel_forces wheel_on_rail wheel_by_position wheel_height wheelset wheelset_by_position wheel_table_forces wheel_table wheel_table_by_position", kinds, " ")
+        split("`kstrip_patch_from_profile`;`kstrip_patch_evaluate`;with derivatives;`kstrip_wheel_on_rail`;with derivatives;and with respect to position;`kstrip_height_for_load`;`kstrip_wheelset_on_track` with derivatives;and with respect to position;`kstrip_wheel_on_table`;with derivatives;and with respect to position", names, ";")
         for (i = 1; i <= count; i++) {
             three = other["STRIP", kinds[i] "_three_contacts"]
             printf "| %s | %d | %d | %s |\n", names[i], other["STRIP", kinds[i] "_one_zone"], other["STRIP", kinds[i] "_two_zones"], three ? three : "–"
