@@ -3,6 +3,7 @@
  * runs through a curve of 300 m with its flange, brakes to a standstill on a grade, and is lifted by a jack. The numbers are those of an
  * ordinary bogie with weak yaw dampers.
  *   cc -std=c99 -O2 -Iinclude c_examples/12_bogie.c target/lib/libkstrip.a -lm -o bogie && ./bogie tests/data/wheel_rail [hunt|curve|brake|lift]
+ * With the word "table" among the runs all wheels take their contacts from a contact table, which is filled first.
  *
  * One rule integrates all of it: the backward differentiation formula of second order, linearly implicit with the derivatives D and K
  * of the forces Q with respect to velocities and places (docs/guide/6-vehicle.md). One evaluation a step:
@@ -41,6 +42,7 @@ static struct {
     kstrip_wheelset set;
     kstrip_track track;
     kstrip_curve curve;
+    kstrip_table table;
     kstrip_wheelset_workspace memory;
     kstrip_wheelset_forces forces[2];
     element elements[40];
@@ -124,6 +126,31 @@ static void build(const char *folder)
         JOIN(0.5e6, 20e3, 4, LIST(FRAME + VERTICAL, FRAME + ROLL, CAR + VERTICAL, CAR + ROLL), LIST(1, y, -1, -y));
         JOIN(0.17e6, 25e3, 3, LIST(FRAME + LATERAL, CAR + LATERAL, CAR + ROLL), LIST(1, -1, -1.2));
     }
+}
+
+/* A contact table of the right wheel, of which the left one is the mirror image. */
+static void fill_table(void)
+{
+    /* The middle of the track is at -10.5 mm: the wheel may shift by 8 mm to both sides. */
+    const kstrip_table_spec spec = {.lateral_from = -18.5e-3, .lateral_to = -2.5e-3, .yaw = 12e-3, .roll = 4e-3, .load = 200e3,
+                                    .lateral_nodes = 80, .levels = 14, .yaw_nodes = 3, .roll_nodes = 3};
+    const kstrip_wheel_pair *pair = &b.set.pair[0];
+    kstrip_wheel_workspace *memory = malloc(sizeof *memory);
+    uint32_t bytes, parts;
+    kstrip_table_report report;
+    check(kstrip_table_size(&b.wheel, &spec, &bytes, &parts));
+    uint8_t *block = malloc(bytes);
+    if (block == NULL || memory == NULL) {
+        fprintf(stderr, "no memory\n");
+        exit(EXIT_FAILURE);
+    }
+    check(kstrip_table_begin(&b.rail, &b.wheel, pair, &spec, memory, block, bytes));
+    check(kstrip_table_fill(&b.rail, &b.wheel, pair, 0, parts, memory, block, bytes));
+    check(kstrip_table_finish(&b.rail, &b.wheel, pair, 100, memory, block, bytes, &report));
+    printf("table %u kB, force %.4f, load %.4f %%\n", (unsigned)(report.bytes / 1000), report.force_usual, 100 * report.load_usual);
+    b.table = (kstrip_table){.data = block, .bytes = report.bytes};
+    b.set.table[0] = b.set.table[1] = &b.table;
+    free(memory);
 }
 
 /* Both wheelsets in balance on their rails, from which springs and rails are measured. The axes run along the track with the speed. */
@@ -354,6 +381,8 @@ int main(int count, char **words)
 {
     const char *wanted = count > 2 ? words[2] : "hunt curve brake lift";
     build(count > 1 ? words[1] : "tests/data/wheel_rail");
+    if (strstr(wanted, "table"))
+        fill_table();
     if (strstr(wanted, "hunt")) {
         start(80, 3e-3);
         run("hunt", 4, 1e-3, nothing);

@@ -359,16 +359,17 @@ fn a_bogie_hunts_curves_brakes_and_is_lifted() {
     let folder = root().join("tests/data/wheel_rail");
     let text = run_c_with("c_examples/12_bogie.c", &[folder.to_str().expect("a path")]);
     // time, y of both wheelsets, speed, Y right and left, Q right and left, sum of Y
-    let run = |name: &str| -> Vec<Vec<f64>> {
+    let run_of = |text: &str, name: &str| -> Vec<Vec<f64>> {
         let of_run = |line: &str| line.strip_prefix(name).map(numbers);
         text.lines().filter_map(of_run).collect()
     };
-    let hunts = run("hunt");
-    let most = |from: f64, to: f64| {
+    let run = |name: &str| run_of(&text, name);
+    let most = |hunts: &[Vec<f64>], from: f64, to: f64| {
         let part = hunts.iter().filter(|row| (from..to).contains(&row[0]));
         part.fold(0.0, |most: f64, row| most.max(row[1].abs()))
     };
-    let (before, after) = (most(2.0, 3.0), most(3.0, 4.1));
+    let hunts = run("hunt");
+    let (before, after) = (most(&hunts, 2.0, 3.0), most(&hunts, 3.0, 4.1));
     assert!(
         (7.0..10.0).contains(&after) && (after / before - 1.0).abs() < 0.15,
         "{before} {after}"
@@ -395,6 +396,16 @@ fn a_bogie_hunts_curves_brakes_and_is_lifted() {
         lifted > lift.len() / 4 && (last[6] / first[6] - 1.0).abs() < 0.05,
         "{lifted} {last:?}"
     );
+    // on a contact table: the limit cycle, and the forces in curves
+    let folder = folder.to_str().expect("a path");
+    let on_table = run_c_with("c_examples/12_bogie.c", &[folder, "hunt curve table"]);
+    assert_relative_eq!(most(&run_of(&on_table, "hunt"), 3.0, 4.1), after, max_relative = 0.01);
+    for (name, direct) in [("curve at balance speed", balance), ("curve at 22 m/s", fast)] {
+        let own = run_of(&on_table, name).pop().expect("the run");
+        for (own, direct) in own.iter().zip(&direct).skip(4).take(4) {
+            assert_relative_eq!(own, direct, max_relative = 0.01);
+        }
+    }
 }
 
 /// Where the surfaces are parallel the wheel touches, as far off as an 80 kN patch is long; the
