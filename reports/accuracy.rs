@@ -404,11 +404,11 @@ impl Report {
     fn slender(&mut self) {
         self.line("\n## Slender contacts\n");
         self.line(
-            "`open_slender.csv` has 140 cases beyond the axis ratios of `open.csv`, which no \
-             fit uses. ν is 0 to 0.5. The table has mean / 95th percentile / max of the \
-             force, and mean / max of the moment in μ N √(ab). FASTSIM and FaStrip get the \
-             linear coefficients of the library. STRIP and TOTAL return a warning below 0.015 \
-             and above 60.\n",
+            "`open_slender.csv` has 140 cases beyond the axis ratios of `open.csv`. No fit uses \
+             them. ν is 0 to 0.5. The table has mean / 95th percentile / max of the force, and \
+             mean / max of the moment in μ N √(ab). FASTSIM and FaStrip get the linear \
+             coefficients of the library. STRIP and TOTAL return a warning below 0.015 and above \
+             60.\n",
         );
         self.by_axis_ratio(&slender(), &[0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1]);
     }
@@ -455,12 +455,12 @@ impl Report {
     fn unlike(&mut self) {
         self.line("\n## Dissimilar materials\n");
         self.line(
-            "`kappa.csv` has 170 pairs of results of CONTACT, with and without the mismatch \
-             `κ` of the materials. The error is the error of the difference that `κ` makes to \
-             the force, `|(f − f₀) − (f − f₀)_ref|` in μ N. The table has mean / 95th \
-             percentile / max. Ordinary pairs have `|κ|` up to 0.13 and μ from 0.3 on, such \
-             as steel on aluminium, cast iron or bronze. FASTSIM, FaStrip and STRIP_1967 have \
-             no `κ`, and the error of the first row.\n",
+            "`kappa.csv` has 170 pairs of results of CONTACT, with and without the mismatch `κ` of \
+             the materials. The error is the error of the difference that `κ` makes to the force, \
+             `|(f − f₀) − (f − f₀)_ref|` in μ N. The table has mean / 95th percentile / max. \
+             Ordinary pairs have `|κ|` up to 0.13 and μ from 0.3 on, such as steel on aluminium, \
+             cast iron or bronze. FASTSIM, FaStrip and STRIP_1967 have no `κ`. Their errors are in \
+             the first row.\n",
         );
         self.header(&["method", "all", "ordinary pairs"]);
         let pairs = unlike();

@@ -146,7 +146,7 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
     }
     normal_row(report, "**all**", &list.iter().collect::<Vec<_>>());
 
-    report.line("\nThe five profiles with the largest errors of force:\n");
+    report.line("\nThe next table has the five profiles with the largest errors of force.\n");
     report.header(&["profile", "force, mean", "force, largest", "area, %", "peak pressure, %"]);
     let mut worst: Vec<&Compared> = list.iter().collect();
     let largest = |found: &Compared| statistics(&found.strip.force)[2];
@@ -168,9 +168,9 @@ fn other_tables(report: &mut Report) {
         "The table has the errors of force and moment with STRIP, mean / 95th percentile / \
          largest. Given strips have half-elliptic pressure. The strips of skewed patches have \
          centres beside `x = 0`. Bands and falling friction are on ellipses of 16 strips with \
-         three axis ratios. All bodies are of steel (`ν = 0.28`). In CONTACT friction falls \
-         with the slip of each point, here with the mean slip of the patch. One row has all \
-         families of falling friction.\n",
+         three axis ratios. All bodies are of steel (`ν = 0.28`). In CONTACT friction falls with \
+         the slip of each point. In the library it falls with the mean slip of the patch. One row \
+         has all families of falling friction.\n",
     );
     report.header(&["patch", "force", "moment"]);
     let mut sums = [Errors::default(), Errors::default()];
@@ -206,11 +206,11 @@ impl Uniform {
 fn noise_table(report: &mut Report, list: &[Compared]) {
     report.line("\n## Measured points\n");
     report.line(
-        "The table has the change of the force, in units of `μ N`, for the 30 profiles and \
-         nine creepages if their points are measured. The points are 0.05 mm apart. Each \
-         profile was disturbed 20 times with noise of 5 µm rms. Then it was disturbed 20 \
-         times at one point, by 20 µm. The largest changes come from noise that tilts a wide \
-         patch with spin and moves its middle by 0.1 mm.\n",
+        "The table has the change of the force, in units of `μ N`, if the points of the 30 \
+         profiles are measured. Each profile has nine creepages, and its points are 0.05 mm apart. \
+         Each profile was disturbed 20 times with noise of 5 µm rms. Then it was disturbed 20 \
+         times at one point, by 20 µm. The largest changes come from noise that tilts a wide patch \
+         with spin and moves its middle by 0.1 mm.\n",
     );
     report.header(&["points", "mean / 95th percentile / largest", "below 0.02, %"]);
     let mut uniform = Uniform(20_260_117);
@@ -322,9 +322,9 @@ fn real_table(report: &mut Report, list: &[Case]) {
     report.line(
         "The 36 patches are from six pairs of profiles, new and worn, with yaw \
          (`tests/data/real`). Each point has its rolling radius and its place along `x`. The \
-         bodies are of steel (`ν = 0.28`), with friction 0.3. The load is 34 to 146 kN. The \
-         mean length of the patches is 0.3 to 24 of their width. Creepages and moment are \
-         about the origin of the profile. The errors against CONTACT are defined as above.\n",
+         bodies are of steel (`ν = 0.28`), with friction 0.3. The load is 34 to 146 kN. The mean \
+         length of the patches is 0.3 to 24 times their width. Creepages and moment are about the \
+         origin of the profile. The errors against CONTACT are defined as above.\n",
     );
     report.header(&["pair", "patches", "area", "peak pressure", "force, STRIP", "moment, STRIP"]);
     let mut pairs: Vec<&str> = Vec::new();

@@ -187,7 +187,7 @@ impl Report {
         self.line(
             "The picture plots the error against the time of one contact, for every model and \
              every other method. The best methods are at the lower left. Times depend on the \
-             processor, and so do ratios of times. In the first table these differ by up to \
+             processor, and so do ratios of times. In the first table the ratios differ by up to \
              two fifths between processors. Counts of instructions do not depend on the \
              processor.\n",
         );
@@ -274,11 +274,11 @@ impl Report {
             self.row(cells);
         }
         self.line(
-            "\nThe columns of the first processor are from this run. The last two are from \
-             other processors, at two commits whose models are the same. They compare two \
-             Intel processors. For your processor, run `cargo bench --bench speed` on a \
-             machine that does nothing else. It writes this page. The code of the other \
-             methods is the same in all runs, and compares an AMD and an Intel processor:\n",
+            "\nThe columns of the first processor are from this run. The last two are from other \
+             processors, at two commits whose models are the same. They compare two Intel \
+             processors. For your processor, run `cargo bench --bench speed` on a machine that \
+             does nothing else. This program writes this page. The code of the other methods is \
+             the same in all runs, and compares an AMD and an Intel processor:\n",
         );
         self.header(&[
             "method",
@@ -360,12 +360,12 @@ impl Report {
         self.line(format!("\n{BATCHED}\n"));
         self.line(
             "The second table compares `kstrip_evaluate_batch`, with one array for each quantity, \
-             with a loop over `kstrip_solve`. Times are nanoseconds of a contact, and the \
-             results have the same bits. On x86-64 processors with AVX, four contacts in \
-             double precision or eight in single precision share one register. With AVX-512 \
-             it is twice as many. The library checks once whether the processor has AVX and \
-             AVX-512. The first table has the time with AVX-512 divided by the time with AVX, \
-             on an AMD EPYC of family 26.\n",
+             with a loop over `kstrip_solve`. Times are nanoseconds of a contact, and the results \
+             have the same bits. On x86-64 processors with AVX, four contacts in double precision \
+             or eight in single precision share one register. With AVX-512, one register has twice \
+             as many. The library checks once whether the processor has AVX and AVX-512. The first \
+             table has the time with AVX-512 divided by the time with AVX, on an AMD EPYC of \
+             family 26.\n",
         );
         self.header(&["calls", "with AVX-512"]);
         for (calls, ratio) in
