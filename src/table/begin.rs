@@ -32,11 +32,11 @@ const LEFT: f64 = 0.25;
 const ANGLE_LOAD: f64 = 0.09;
 /// At so many angles of contact the lateral positions of a slab are found, between which they are
 /// linear.
-const KNOTS: usize = 16;
+const ANGLE_KNOTS: usize = 16;
 /// How far a lateral position is sought from where it would be by the roll alone \[m\], and how
 /// often a range is halved.
-const RANGE: f64 = 4e-3;
-const HALVINGS: u32 = 15;
+const SOUGHT: f64 = 4e-3;
+const ANGLE_HALVINGS: u32 = 15;
 /// Least part of a step of the lateral position in a slab over that without yaw and roll.
 const LEAST_STEP: f64 = 0.05;
 const PROBE: usize = 8;
@@ -46,7 +46,7 @@ const PROBE: usize = 8;
 type Probe<F> = [F; PROBE];
 
 /// A number between those of knots, at the ends with the shift of the last one.
-fn between<F: Float>(knots: &[[F; 2]], x: F) -> Option<F> {
+fn at_knots<F: Float>(knots: &[[F; 2]], x: F) -> Option<F> {
     let ([first, of_first], [last, of_last]) = (*knots.first()?, *knots.last()?);
     if x <= first || x >= last {
         return Some(if x <= first { of_first + (x - first) } else { of_last + (x - last) });
@@ -126,10 +126,10 @@ impl<F: Float> TableSpec<F> {
             let position = Position { yaw, roll, ..Position::default() };
             let by_roll = roll * scene.pair.wheel_radius;
             // the lateral positions of the knots
-            let mut found = Vec::<[F; 2], KNOTS>::new();
+            let mut found = Vec::<[F; 2], ANGLE_KNOTS>::new();
             for [x, angle] in &knots {
                 let about = *x + by_roll;
-                let range = [-RANGE, RANGE].map(|distance| about + F::of(distance));
+                let range = [-SOUGHT, SOUGHT].map(|distance| about + F::of(distance));
                 let own = self.lateral_of(scene, &position, *angle, range, memory);
                 // where the contact has not this angle, the shift is that of the knot before
                 let own = match found.last() {
@@ -142,7 +142,7 @@ impl<F: Float> TableSpec<F> {
                 let _ = found.push([*x, own]);
             }
             for (k, x) in lateral.iter().enumerate() {
-                let own = between(&found, *x).unwrap_or(*x + by_roll);
+                let own = at_knots(&found, *x).unwrap_or(*x + by_roll);
                 let part = slab * counts.lateral + k;
                 write_bytes(block, from + 8 * part, own.to_f64().to_le_bytes());
             }
@@ -154,7 +154,7 @@ impl<F: Float> TableSpec<F> {
     /// distances.
     fn knots(
         &self, scene: &Scene<F>, lateral: &[F], memory: &mut Workspace<F>,
-    ) -> Vec<[F; 2], KNOTS> {
+    ) -> Vec<[F; 2], ANGLE_KNOTS> {
         let mut angles = Vec::<[F; 2], 256>::new();
         for x in lateral {
             let position = Position { lateral: *x, ..Position::default() };
@@ -166,9 +166,9 @@ impl<F: Float> TableSpec<F> {
         let (Some([_, first]), Some([_, last])) = (angles.first(), angles.last()) else {
             return knots;
         };
-        for k in 0..KNOTS {
+        for k in 0..ANGLE_KNOTS {
             // not the steepest: a slab may not have them
-            let share = F::widened((k as f32 + 0.5) / (KNOTS + 1) as f32);
+            let share = F::widened((k as f32 + 0.5) / (ANGLE_KNOTS + 1) as f32);
             let angle = *first + (*last - *first) * share;
             let around = pairs(&angles).find(|([_, p], [_, q])| *p <= angle && angle < *q);
             let Some(([from, _], [to, _])) = around else { continue };
@@ -192,7 +192,7 @@ impl<F: Float> TableSpec<F> {
         if is_before(from) == Some(false) || is_before(to) == Some(true) {
             return None;
         }
-        for _ in 0..HALVINGS {
+        for _ in 0..ANGLE_HALVINGS {
             let middle = (from + to).times(0.5);
             if is_before(middle)? {
                 from = middle;

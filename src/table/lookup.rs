@@ -76,7 +76,7 @@ impl<F: Float> Blend<'_, F> {
     /// Finds the strips on a wheel of a radius, and the zones that they are. `stride` is the number
     /// of places from one end of an interval to the other, a power of two.
     #[inline(never)]
-    fn cover(
+    fn strips_on_wheel(
         &self, table: &ContactTable, (stride, radius): (usize, F), strips: &mut OnWheel<F>,
     ) -> Overlaps<F> {
         let Self { square, pressure, half_angle, first, .. } = self;
@@ -239,10 +239,10 @@ impl<F: Float> TableScene<'_, F> {
         }
         let (mut stride, mut warning) = (1, Warning::None);
         let mut own = OnWheel::new();
-        let mut zones = blend.cover(table, (stride, pair.wheel_radius), &mut own);
+        let mut zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), &mut own);
         while own.len() > KSTRIP_PATCH_CAPACITY {
             (stride, warning) = (2 * stride, Warning::Rough);
-            zones = blend.cover(table, (stride, pair.wheel_radius), &mut own);
+            zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), &mut own);
         }
         let wheel = Wheel::new(pair.wheel_radius, &right);
         let mut places = Vec::new();

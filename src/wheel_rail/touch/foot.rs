@@ -131,8 +131,8 @@ impl<'a, F: Float> Rail<'a, F> {
             return None;
         }
         self.faced = true;
-        // A point inside the rail counts at any depth. Deeper than a radius of the rail it has several
-        // nearest points, between which the place under it jumps.
+        // A point inside the rail counts at any depth. Deeper than a radius of the rail it has
+        // several nearest points, between which the place under it jumps.
         let is_near = away <= (self.reach + self.surface.step).squared();
         (is_near || is_inside).then_some(piece)
     }
