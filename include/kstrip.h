@@ -108,7 +108,7 @@ typedef int32_t kstrip_status;
 
 /** Warning: the spin parameter |psi| is 1 or more, which is beyond the theory of 1967. */
 #define KSTRIP_WARNING_SPIN 1
-/** Warning: |psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT. */
+/** Warning: |psi| is above 3, beyond the comparison of KSTRIP_MODEL_STRIP with CONTACT. */
 #define KSTRIP_WARNING_RANGE 2
 /** Warning: the force of KSTRIP_MODEL_LINEAR exceeds mu N. */
 #define KSTRIP_WARNING_BEYOND_FRICTION 3
@@ -154,7 +154,7 @@ typedef int32_t kstrip_status;
 /** Warning: the theory of 1967 neglects the mismatch of the materials. */
 #define KSTRIP_WARNING_MISMATCH_NEGLECTED 16
 /**
- * Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies are
+ * Warning: a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies are
  * not half-spaces.
  */
 #define KSTRIP_WARNING_CONFORMAL 17
@@ -213,8 +213,8 @@ typedef int32_t kstrip_status;
  */
 #define KSTRIP_WARNING_SECOND_MINIMUM 32
 /**
- * Warning: a fitted parameter of a law ended at its bound, beyond which the law would come nearer
- * to the measured points.
+ * Warning: a fitted parameter of a law is at its bound, and beyond it the law would fit the
+ * measured points better.
  */
 #define KSTRIP_WARNING_FIT_BOUND 33
 /**
@@ -265,8 +265,8 @@ typedef int32_t kstrip_status;
 /** Error: no friction explains the measured force. */
 #define KSTRIP_ERROR_UNEXPLAINED -19
 /**
- * Error: the requested force exceeds mu N, or the torque about an axle exceeds what friction
- * carries at any pitch rate.
+ * Error: the requested force exceeds mu N, or the torque about an axle exceeds the torque that
+ * friction carries at any pitch rate.
  */
 #define KSTRIP_ERROR_FORCE_BEYOND_FRICTION -20
 /** Error: the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum. */
@@ -279,8 +279,8 @@ typedef int32_t kstrip_status;
 /** Error: the floor of the speed is negative. */
 #define KSTRIP_ERROR_FLOOR_SPEED -23
 /**
- * Error: the stride of an output of a batch is smaller than the output, or a stride is no multiple
- * of the alignment.
+ * Error: the stride of an output of a batch is smaller than the output, or a stride is not a
+ * multiple of the alignment.
  */
 #define KSTRIP_ERROR_STRIDE -24
 /** Error: the slide factor is outside [0, 1]. */
@@ -289,7 +289,7 @@ typedef int32_t kstrip_status;
 #define KSTRIP_ERROR_LAYER -26
 /** Error: there are fewer measured forces than parameters to fit. */
 #define KSTRIP_ERROR_FEW_POINTS -27
-/** Error: nothing is to be fitted, or not one of the KSTRIP_FIT constants. */
+/** Error: no parameter is to be fitted, or the number is not a sum of KSTRIP_FIT constants. */
 #define KSTRIP_ERROR_FIT_PARAMETERS -28
 /** Error: the weight of a measured point is negative. */
 #define KSTRIP_ERROR_WEIGHT -29
@@ -340,8 +340,8 @@ typedef int32_t kstrip_status;
  */
 #define KSTRIP_ERROR_SWAPPED -54
 /**
- * Error: the wheel is beside the rail, and a profile is upside down, the wrong way round, or not
- * that of a wheel or a rail.
+ * Error: the wheel is beside the rail, and a profile is upside down, the wrong way round, or
+ * neither a wheel nor a rail.
  */
 #define KSTRIP_ERROR_ORIENTATION -55
 /** Error: a gauge, a place of a rail or a distance of wheels is missing or negative. */
@@ -366,7 +366,7 @@ typedef int32_t kstrip_status;
  * millimetres.
  */
 #define KSTRIP_ERROR_FILE_UNITS -74
-/** Error: a number of a table is far from all others, and probably marks a missing one. */
+/** Error: a number of a table is far from all others, and probably marks a missing number. */
 #define KSTRIP_ERROR_FILE_MISSING -75
 /** Error: the share of a profile between two slices is not in 0 to 1. */
 #define KSTRIP_ERROR_SLICE_SHARE -76
@@ -375,7 +375,7 @@ typedef int32_t kstrip_status;
  * else.
  */
 #define KSTRIP_ERROR_TABLE -80
-/** Error: a contact table is not finished, or it is and is to be filled. */
+/** Error: a contact table is not finished, or a finished table is to be filled. */
 #define KSTRIP_ERROR_TABLE_UNFINISHED -81
 /**
  * Error: a contact table was made for another radius, material or smoothing length, or the rail is
@@ -1069,7 +1069,7 @@ typedef struct kstrip_prepared {
 } kstrip_prepared;
 
 /**
- * Computes what depends on the contact and the options only, for kstrip_solve_prepared().
+ * Prepares a contact with its options for kstrip_solve_prepared().
  *
  * Use this for rigs whose contact is constant, and for iterations on the creepage.
  *
@@ -1573,8 +1573,8 @@ kstrip_status kstrip_patch_evaluate(const struct kstrip_patch *patch,
                                     const struct kstrip_outputs *outputs);
 
 /**
- * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to
- * those that the motion has at the strip's centre. Derivatives are with respect to the motion.
+ * kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to the
+ * creepages that the motion has at the strip's centre. Derivatives are with respect to the motion.
  *
  * @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
  * @param own             array of patch->count creepages, one for each strip; NULL: all zero.
@@ -2540,8 +2540,9 @@ typedef struct kstrip_table_spec {
 } kstrip_table_spec;
 
 /**
- * Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which
- * kstrip_wheel_on_table() interpolates. docs/reference/contact-tables.md has its accuracy.
+ * Size of a contact table, which holds contacts of kstrip_wheel_on_rail() at nodes;
+ * kstrip_wheel_on_table() interpolates between them. docs/reference/contact-tables.md has its
+ * accuracy.
  *
  * A table is caller-provided memory at any address, without pointers and little-endian. It may be
  * written to a file, and read or mapped again on another machine and by either precision. It is
@@ -2560,14 +2561,15 @@ kstrip_status kstrip_table_size(const struct kstrip_surface *wheel,
                                 uint32_t *parts);
 
 /**
- * Begins a table: it finds the lateral nodes, in the time of a few parts.
+ * Begins a table: it chooses lateral nodes for each pair of nodes of yaw and roll, in about the
+ * time of one part for each pair.
  *
  * @param rail, wheel, pair  as in kstrip_wheel_on_rail(), with a straight rail; side, friction,
  *                        damping, strips and model do not matter.
  * @param spec            as in kstrip_table_size().
  * @param workspace       memory that may hold anything.
  * @param[out] table      memory of that many bytes.
- * @param bytes           at least what kstrip_table_size() gives.
+ * @param bytes           at least the length that kstrip_table_size() returns.
  * @return KSTRIP_OK; a status of kstrip_table_size(); KSTRIP_ERROR_CAPACITY (bytes);
  *         KSTRIP_ERROR_TABLE_PAIR (a roller); KSTRIP_ERROR_TABLE_SPEC (no lateral position of the
  *         range has a contact); an error of kstrip_wheel_on_rail() about its arguments.
@@ -2582,8 +2584,8 @@ kstrip_status kstrip_table_begin(const struct kstrip_surface *rail,
 
 /**
  * Fills parts of a table that is begun, each in about the time of 400 calls of
- * kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with a workspace
- * of their own. Call it with few parts to tell the progress.
+ * kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with separate
+ * workspaces. Call it with few parts to show the progress.
  *
  * @param rail, wheel, pair  those with which it was begun.
  * @param first, count    number of the first part, and how many.
@@ -2627,9 +2629,9 @@ typedef struct kstrip_table_report {
 } kstrip_table_report;
 
 /**
- * Finishes a table whose parts are filled: it becomes shorter, its error is measured against the
- * direct call with 64 strips, and it gets a checksum. The positions of the measurement have 2.3 to
- * 91 % of the largest load and are spread over the ranges.
+ * Finishes a table whose parts are filled: shortens it, measures its error against the direct call
+ * with 64 strips, and adds a checksum. The positions of the measurement have 2.3 to 91 % of the
+ * largest load and are spread over the ranges.
  *
  * @param rail, wheel, pair  those with which it was begun.
  * @param poses           number of these positions: 500 are enough, and take about a second.
@@ -2649,8 +2651,9 @@ kstrip_status kstrip_table_finish(const struct kstrip_surface *rail,
                                   struct kstrip_table_report *report);
 
 /**
- * Reads all of a finished table. Call it once where a table comes from a file: the other functions
- * read no more than they need, and a damaged table gives them wrong numbers, but no wrong access.
+ * Checks all of a finished table. Call it once if a table comes from a file: the other functions
+ * read no more than they need, and compute wrong numbers from a damaged table, but never access
+ * memory outside it.
  *
  * @param table, bytes    the table, or more bytes than it has.
  * @param[out] length     receives its length [bytes]; NULL: not needed.
@@ -3221,7 +3224,7 @@ typedef struct kstrip_friction_fit {
 } kstrip_friction_fit;
 
 /**
- * The law of friction that comes nearest to a measured creep curve.
+ * The law of friction that fits a measured creep curve best.
  *
  * It minimises the sum of the squared differences between measured and computed forces, each times
  * the weight of its point. The search begins at start and at other places, unless the points are

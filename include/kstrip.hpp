@@ -2388,7 +2388,7 @@ struct basic_friction_fit {
 };
 KSTRIP_HPP_BOTH(friction_fit)
 
-/// The law that comes nearest to measured points; first_bad may be null.
+/// The law that fits measured points best; first_bad may be null.
 template <class T>
 status fit_friction(const basic_contact<T> &ellipse, const detail::only<basic_measured_force<T>> *points,
                     std::uint32_t count, const detail::only<basic_friction<T>> &start, fitted which,

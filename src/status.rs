@@ -117,10 +117,10 @@ statuses! {
             "no friction explains the measured force",
             "check signs (forces act on the lower body) and creepage";
         KSTRIP_ERROR_FORCE_BEYOND_FRICTION ForceBeyondFriction = -20:
-            "the requested force exceeds mu N, or the torque about an axle exceeds what friction \
-             carries at any pitch rate",
-            "a force below mu N is possible, and a torque below the sum over both wheels of \
-             friction, load and rolling radius";
+            "the requested force exceeds mu N, or the torque about an axle exceeds the torque that \
+             friction carries at any pitch rate",
+            "request less: a force below mu N, or a torque below friction times load times rolling \
+             radius of both wheels together";
         KSTRIP_ERROR_MEASURED Measured = -21:
             "the measurement is not one of KSTRIP_MEASURED_FX, KSTRIP_MEASURED_FY, or their sum",
             "name the components that were measured";
@@ -131,7 +131,7 @@ statuses! {
         KSTRIP_ERROR_FLOOR_SPEED FloorSpeed = -23:
             "the floor of the speed is negative", "it must be > 0 (m/s), or 0 for the default";
         KSTRIP_ERROR_STRIDE Stride = -24:
-            "the stride of an output of a batch is smaller than the output, or a stride is no \
+            "the stride of an output of a batch is smaller than the output, or a stride is not a \
              multiple of the alignment",
             "pass the distance in bytes between two elements";
         KSTRIP_ERROR_SLIDE_FACTOR SlideFactor = -25:
@@ -143,8 +143,8 @@ statuses! {
             "there are fewer measured forces than parameters to fit",
             "pass more points, or fit fewer parameters";
         KSTRIP_ERROR_FIT_PARAMETERS FitParameters = -28:
-            "nothing is to be fitted, or not one of the KSTRIP_FIT constants",
-            "add the constants of those that are fitted";
+            "no parameter is to be fitted, or the number is not a sum of KSTRIP_FIT constants",
+            "add the constants of the parameters to fit";
         KSTRIP_ERROR_WEIGHT Weight = -29:
             "the weight of a measured point is negative",
             "it must be >= 0, 0 for a point that is ignored";
@@ -163,7 +163,7 @@ statuses! {
             "the peak pressure of a strip is negative", "it must be >= 0 (pascals)";
         KSTRIP_ERROR_STRIP_ORDER StripOrder = -42:
             "strips of a patch overlap, or do not ascend in y",
-            "kstrip_patch_from_strips() sorts them; narrow those that overlap";
+            "kstrip_patch_from_strips() sorts them; narrow the strips that overlap";
         KSTRIP_ERROR_PATCH_SIZE PatchSize = -43:
             "there are more strips than a patch can hold, or more contacts than a wheel may have",
             "use fewer and wider strips, or a smoother profile";
@@ -204,7 +204,7 @@ statuses! {
             "they are probably swapped: pass the rail before the wheel";
         KSTRIP_ERROR_ORIENTATION Orientation = -55:
             "the wheel is beside the rail, and a profile is upside down, the wrong way round, or \
-             not that of a wheel or a rail",
+             neither a wheel nor a rail",
             "z must point down, and the flange of a wheel and the gauge side of a rail lie at \
              small y";
         KSTRIP_ERROR_GAUGE Gauge = -60:
@@ -235,17 +235,17 @@ statuses! {
              profile in millimetres",
             "name the unit in the line with the names of the columns";
         KSTRIP_ERROR_FILE_MISSING FileMissing = -75:
-            "a number of a table is far from all others, and probably marks a missing one",
+            "a number of a table is far from all others, and probably marks a missing number",
             "leave out its line";
         KSTRIP_ERROR_SLICE_SHARE SliceShare = -76:
             "the share of a profile between two slices is not in 0 to 1",
-            "pass the distance from the first slice divided by that of both";
+            "pass the distance from the first slice divided by the distance between both";
         KSTRIP_ERROR_TABLE Table = -80:
             "the memory is not a contact table of this version: it is damaged, cut off, or \
              something else",
             "build the table again";
         KSTRIP_ERROR_TABLE_UNFINISHED TableUnfinished = -81:
-            "a contact table is not finished, or it is and is to be filled",
+            "a contact table is not finished, or a finished table is to be filled",
             "fill all parts, and then finish it";
         KSTRIP_ERROR_TABLE_PAIR TablePair = -82:
             "a contact table was made for another radius, material or smoothing length, or the \
@@ -258,7 +258,7 @@ statuses! {
         KSTRIP_ERROR_TABLE_RANGE TableRange = -84:
             "a position is outside the ranges of a contact table, or its load is above the \
              largest",
-            "take kstrip_wheel_on_rail() there";
+            "call kstrip_wheel_on_rail() there";
     }
 }
 
@@ -295,7 +295,7 @@ statuses! {
             "the spin parameter |psi| is 1 or more, which is beyond the theory of 1967",
             "the result is a continuation by this library, bounded by mu N: use STRIP or TOTAL";
         KSTRIP_WARNING_RANGE OutsideRange = 2 gravity 1:
-            "|psi| is above 3, where KSTRIP_MODEL_STRIP was not compared with CONTACT",
+            "|psi| is above 3, beyond the comparison of KSTRIP_MODEL_STRIP with CONTACT",
             "the result is bounded by mu N";
         KSTRIP_WARNING_BEYOND_FRICTION BeyondFriction = 3 gravity 2:
             "the force of KSTRIP_MODEL_LINEAR exceeds mu N", "use a model with saturation";
@@ -337,9 +337,9 @@ statuses! {
             "the theory of 1967 neglects the mismatch of the materials",
             "use another model, or set it to 0";
         KSTRIP_WARNING_CONFORMAL Conformal = 17 gravity 1:
-            "a semi-axis exceeds 0.3 of the smaller radius in its direction, where the bodies \
+            "a semi-axis exceeds 0.3 of the smaller radius in its direction, so that the bodies \
              are not half-spaces",
-            "the result is that of half-spaces";
+            "the result is for half-spaces";
         KSTRIP_WARNING_ANGLE_RANGE AngleRange = 19 gravity 2:
             "the normal turns by more than 30 degrees over a contact of a wheel: forces may be off \
              by some tenths of mu N";
@@ -348,7 +348,7 @@ statuses! {
             "unless they do, pass more of the profile";
         KSTRIP_WARNING_UNDETERMINED Undetermined = 20 gravity 4:
             "the measured points do not determine each parameter of a law",
-            "fit fewer, or measure at other creepages";
+            "fit fewer parameters, or measure at other creepages";
         KSTRIP_WARNING_ORIENTATION Orientation = 21 gravity IMPLAUSIBLE:
             "implausible profile, upside down or the wrong way round, or a contact of a wheel \
              above 30 degrees",
@@ -361,7 +361,7 @@ statuses! {
              unit than Pa";
         KSTRIP_WARNING_UNSET Unset = 24 gravity IMPLAUSIBLE:
             "friction and Poisson's ratio of a wheel and a rail are both 0",
-            "set them, or one of them if this is meant";
+            "set both, or one of them if the other is meant to be 0";
         KSTRIP_WARNING_SUPPORT Support = 25 gravity 5:
             "no ordinary contact supports the wheel: its support falls with depth, or its peak \
              pressure exceeds a twentieth of the shear modulus",
@@ -392,8 +392,8 @@ statuses! {
              larger",
             "fit fewer parameters, or measure at other creepages";
         KSTRIP_WARNING_FIT_BOUND FitBound = 33 gravity 2:
-            "a fitted parameter of a law ended at its bound, beyond which the law would come \
-             nearer to the measured points",
+            "a fitted parameter of a law is at its bound, and beyond it the law would fit the \
+             measured points better",
             "check the units of the points, or fit other parameters";
         KSTRIP_WARNING_PROFILE_GUESS ProfileGuess = 34 gravity IMPLAUSIBLE:
             "kind, side, direction of z, origin or unit of a profile file are guessed from weak \

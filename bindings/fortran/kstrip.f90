@@ -838,7 +838,7 @@ module kstrip
          integer(c_int32_t), intent(inout), optional :: first_bad
       end function
 
-      !> Computes what depends on the contact and the options only, for kstrip_solve_prepared().
+      !> Prepares a contact with its options for kstrip_solve_prepared().
       integer(c_int32_t) function kstrip_prepare(contact, options, prepared) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact
@@ -959,8 +959,8 @@ module kstrip
          type(kstrip_outputs), intent(in) :: outputs
       end function
 
-      !> kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to those that the
-      !> motion has at the strip's centre.
+      !> kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to the creepages that
+      !> the motion has at the strip's centre.
       integer(c_int32_t) function kstrip_patch_evaluate_strips(patch, creepage, own, friction, options, outputs) bind(c)
          import
          type(kstrip_patch), intent(in) :: patch
@@ -1178,8 +1178,8 @@ module kstrip
          integer(c_int32_t), intent(inout), optional :: statuses(*)
       end function
 
-      !> Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which kstrip_wheel_on_table()
-      !> interpolates.
+      !> Size of a contact table, which holds contacts of kstrip_wheel_on_rail() at nodes; kstrip_wheel_on_table()
+      !> interpolates between them.
       integer(c_int32_t) function kstrip_table_size(wheel, spec, bytes, parts) bind(c)
          import
          type(kstrip_surface), intent(in) :: wheel
@@ -1188,7 +1188,8 @@ module kstrip
          integer(c_int32_t), intent(inout) :: parts
       end function
 
-      !> Begins a table: it finds the lateral nodes, in the time of a few parts.
+      !> Begins a table: it chooses lateral nodes for each pair of nodes of yaw and roll, in about the time of one part
+      !> for each pair.
       integer(c_int32_t) function kstrip_table_begin(rail, wheel, pair, spec, workspace, table, bytes) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
@@ -1213,8 +1214,8 @@ module kstrip
          integer(c_int32_t), value :: bytes
       end function
 
-      !> Finishes a table whose parts are filled: it becomes shorter, its error is measured against the direct call with
-      !> 64 strips, and it gets a checksum.
+      !> Finishes a table whose parts are filled: shortens it, measures its error against the direct call with 64 strips,
+      !> and adds a checksum.
       integer(c_int32_t) function kstrip_table_finish(rail, wheel, pair, poses, workspace, table, bytes, report) bind(c)
          import
          type(kstrip_surface), intent(in) :: rail
@@ -1227,7 +1228,7 @@ module kstrip
          type(kstrip_table_report), intent(inout) :: report
       end function
 
-      !> Reads all of a finished table.
+      !> Checks all of a finished table.
       integer(c_int32_t) function kstrip_table_check(table, bytes, length) bind(c)
          import
          integer(c_int8_t), intent(in) :: table(*)
@@ -1393,7 +1394,7 @@ module kstrip
          type(kstrip_creepage), intent(inout) :: creepage
       end function
 
-      !> The law of friction that comes nearest to a measured creep curve.
+      !> The law of friction that fits a measured creep curve best.
       integer(c_int32_t) function kstrip_fit_friction(contact, points, count, start, parameters, options, fit, first_bad) bind(c)
          import
          type(kstrip_contact), intent(in) :: contact

@@ -1,5 +1,5 @@
 function found = kstrip_fit_friction(creepage, force, contact, start, fit, weight, model, strips)
-% KSTRIP_FIT_FRICTION  The law of friction that comes nearest to a measured creep curve.
+% KSTRIP_FIT_FRICTION  The law of friction that fits a measured creep curve best.
 %
 %   found = kstrip_fit_friction(creepage, force, contact)
 %   found = kstrip_fit_friction(creepage, force, contact, start, fit, weight, model, strips)

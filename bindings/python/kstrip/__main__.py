@@ -188,7 +188,7 @@ def _parser() -> argparse.ArgumentParser:
     _number(conicity, "gauge", 1.435, "of the track [m]")
     _number(conicity, "back-to-back", 1.36, "distance of the flange backs [m]")
     conicity.add_argument("--amplitude", type=float, nargs="+", default=[1e-3, 2e-3, 3e-3, 4e-3, 5e-3], metavar="Y", help="of the motion [m]; 0.001 to 0.005")
-    fit = command("fit", _fit, "The law of friction that comes nearest to measured forces: a table with columns creepage [-] and force [N], both longitudinal.")
+    fit = command("fit", _fit, "The law of friction that fits measured forces best: a table with columns creepage [-] and force [N], both longitudinal.")
     fit.add_argument("file", help="CSV with the names of the columns in its first line")
     ellipse(fit)
     material(fit, None)

@@ -88,7 +88,7 @@ def _measured_forces(creepage: Any, force: ArrayLike, weight: ArrayLike, single:
 def fit_friction(creepage: Union[ArrayLike, Batch[Creepage]], force: ArrayLike, contact: Many[Contact], *, start: Optional[Many[Friction]] = None,
                  fit: Iterable[str] = ("friction", "slope_factor"), weight: ArrayLike = 1.0, model: Model = "default",
                  strips: int = 0) -> FrictionFit:
-    """The law of friction that comes nearest to a measured creep curve: law, standard_errors, residual [N], steps, status_detail.
+    """The law of friction that fits a measured creep curve best: law, standard_errors, residual [N], steps, status_detail.
 
     creepage: longitudinal creepages, or creepages as kstrip.creepage() makes them.
     force: longitudinal forces on the lower body [N]; or n rows of longitudinal and lateral ones, NaN where not measured.

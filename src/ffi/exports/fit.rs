@@ -11,7 +11,7 @@ use crate::rig::fit::{FrictionFit, MeasuredForce};
 use crate::status::{Error, kstrip_status};
 use core::mem::MaybeUninit;
 
-/// The law of friction that comes nearest to a measured creep curve.
+/// The law of friction that fits a measured creep curve best.
 ///
 /// It minimises the sum of the squared differences between measured and computed forces, each times
 /// the weight of its point. The search begins at start and at other places, unless the points are

@@ -182,8 +182,8 @@ pub unsafe extern "C" fn kstrip_patch_evaluate(
     })
 }
 
-/// kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to
-/// those that the motion has at the strip's centre. Derivatives are with respect to the motion.
+/// kstrip_patch_evaluate() with creepages of each strip, as on curved surfaces: own is added to the
+/// creepages that the motion has at the strip's centre. Derivatives are with respect to the motion.
 ///
 /// @param patch, creepage, friction, options, outputs  as in kstrip_patch_evaluate().
 /// @param own             array of patch->count creepages, one for each strip; NULL: all zero.

@@ -72,7 +72,7 @@ pub unsafe extern "C" fn kstrip_evaluate(
     })
 }
 
-/// Computes what depends on the contact and the options only, for kstrip_solve_prepared().
+/// Prepares a contact with its options for kstrip_solve_prepared().
 ///
 /// Use this for rigs whose contact is constant, and for iterations on the creepage.
 ///

@@ -16,8 +16,9 @@ use crate::wheel_rail::scene::Workspace;
 use crate::wheel_rail::{Position, Velocity, WheelPair};
 use core::mem::MaybeUninit;
 
-/// Size of a contact table: what kstrip_wheel_on_rail() finds at nodes, between which
-/// kstrip_wheel_on_table() interpolates. docs/reference/contact-tables.md has its accuracy.
+/// Size of a contact table, which holds contacts of kstrip_wheel_on_rail() at nodes;
+/// kstrip_wheel_on_table() interpolates between them. docs/reference/contact-tables.md has its
+/// accuracy.
 ///
 /// A table is caller-provided memory at any address, without pointers and little-endian. It may be
 /// written to a file, and read or mapped again on another machine and by either precision. It is
@@ -44,14 +45,15 @@ pub extern "C" fn kstrip_table_size(
     })
 }
 
-/// Begins a table: it finds the lateral nodes, in the time of a few parts.
+/// Begins a table: it chooses lateral nodes for each pair of nodes of yaw and roll, in about the
+/// time of one part for each pair.
 ///
 /// @param rail, wheel, pair  as in kstrip_wheel_on_rail(), with a straight rail; side, friction,
 ///                        damping, strips and model do not matter.
 /// @param spec            as in kstrip_table_size().
 /// @param workspace       memory that may hold anything.
 /// @param[out] table      memory of that many bytes.
-/// @param bytes           at least what kstrip_table_size() gives.
+/// @param bytes           at least the length that kstrip_table_size() returns.
 /// @return KSTRIP_OK; a status of kstrip_table_size(); KSTRIP_ERROR_CAPACITY (bytes);
 ///         KSTRIP_ERROR_TABLE_PAIR (a roller); KSTRIP_ERROR_TABLE_SPEC (no lateral position of the
 ///         range has a contact); an error of kstrip_wheel_on_rail() about its arguments.
@@ -71,8 +73,8 @@ pub unsafe extern "C" fn kstrip_table_begin(
 }
 
 /// Fills parts of a table that is begun, each in about the time of 400 calls of
-/// kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with a workspace
-/// of their own. Call it with few parts to tell the progress.
+/// kstrip_wheel_on_rail(). Several threads may each fill other parts of one table, with separate
+/// workspaces. Call it with few parts to show the progress.
 ///
 /// @param rail, wheel, pair  those with which it was begun.
 /// @param first, count    number of the first part, and how many.
@@ -111,9 +113,9 @@ pub unsafe extern "C" fn kstrip_table_fill(
     })
 }
 
-/// Finishes a table whose parts are filled: it becomes shorter, its error is measured against the
-/// direct call with 64 strips, and it gets a checksum. The positions of the measurement have 2.3 to
-/// 91 % of the largest load and are spread over the ranges.
+/// Finishes a table whose parts are filled: shortens it, measures its error against the direct call
+/// with 64 strips, and adds a checksum. The positions of the measurement have 2.3 to 91 % of the
+/// largest load and are spread over the ranges.
 ///
 /// @param rail, wheel, pair  those with which it was begun.
 /// @param poses           number of these positions: 500 are enough, and take about a second.
@@ -137,8 +139,9 @@ pub unsafe extern "C" fn kstrip_table_finish(
     })
 }
 
-/// Reads all of a finished table. Call it once where a table comes from a file: the other functions
-/// read no more than they need, and a damaged table gives them wrong numbers, but no wrong access.
+/// Checks all of a finished table. Call it once if a table comes from a file: the other functions
+/// read no more than they need, and compute wrong numbers from a damaged table, but never access
+/// memory outside it.
 ///
 /// @param table, bytes    the table, or more bytes than it has.
 /// @param[out] length     receives its length [bytes]; NULL: not needed.
