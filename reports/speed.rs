@@ -188,8 +188,8 @@ impl Report {
             "The picture plots the error against the time of one contact, for every model and \
              every other method. The best methods are at the lower left. Times depend on the \
              processor, and so do ratios of times. In the first table the ratios differ by up to \
-             two fifths between processors. Counts of instructions do not depend on the \
-             processor.\n",
+             two fifths between processors. [Counts of instructions](instructions.md) do not \
+             depend on the processor.\n",
         );
         self.processors(machine);
         self.line("\n## How it was measured\n");
@@ -237,14 +237,8 @@ impl Report {
         }
     }
 
-    /// Ratios on this processor and on others, and counts of instructions.
+    /// Ratios on this processor and on others.
     fn processors(&mut self, machine: &str) {
-        let counts = std::fs::read_to_string(root().join("benches/instructions.txt"));
-        let counts = counts.unwrap_or_default();
-        let instructions = |start: &str| {
-            let count = counts.lines().find_map(|line| line.strip_prefix(start));
-            count.unwrap_or("–").to_owned()
-        };
         let here = machine.split("), ").next().unwrap_or(machine).replace(" (family", ", family");
         self.line(
             "The table has the time of one call of a model divided by the time of FASTSIM \
@@ -252,21 +246,15 @@ impl Report {
         );
         let mut header = vec![
             "model".to_owned(),
-            "instructions".to_owned(),
             format!("{here}: of scalar"),
             "of ten lanes".to_owned(),
             "of AVX2".to_owned(),
         ];
         header.extend(ELSEWHERE_TIMES.map(|(name, _)| format!("{name}: of scalar")));
         self.header(&header);
-        let rows = [
-            ("STRIP_1967", "STRIP_1967 f64 solve 16 "),
-            ("TOTAL", "TOTAL f64 solve 0 "),
-            ("STRIP, 16 strips", "STRIP f64 solve 16 "),
-        ];
-        for (i, (name, start)) in rows.into_iter().enumerate() {
+        for (i, name) in ["STRIP_1967", "TOTAL", "STRIP, 16 strips"].into_iter().enumerate() {
             let time = self.time(name, "f64", How::Solve, Set::Spin);
-            let mut cells = vec![name.to_owned(), instructions(start)];
+            let mut cells = vec![name.to_owned()];
             cells.extend(
                 [SCALAR, LANES, AVX2].map(|peer| digits(time / self.peer(peer, Set::Spin))),
             );
