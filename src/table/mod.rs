@@ -1,19 +1,19 @@
 //! Contact tables: a wheel in microseconds.
 //!
 //! A table holds the contacts of a wheel of some radius and material on a straight rail: by lateral
-//! position, height, yaw and roll. It is a block of memory of the caller's, little-endian and
+//! position, height, yaw and roll. It is a block of caller-provided memory, little-endian and
 //! without pointers, which may be written to a file, mapped from it, or placed in flash. Friction,
 //! its law, damping, speeds and the side of the wheel stay outside.
 //!
 //! * [`TableSpec::begin_table`] writes the head of a table.
 //! * [`fill_part`] computes its parts, in any order and on any threads.
 //! * [`finish`] makes it compact and measures its error.
-//! * [`TableScene`] gives contacts, force and moment for a position.
+//! * [`TableScene`] computes contacts, force and moment for a position.
 //! * [`source`] puts a table into a [`Scene`](crate::wheel_rail::scene::Scene): heights, wheelsets
 //!   and many wheels then take their contacts from it.
 //!
-//! What is stored, and why zones of contact appear without a kink, tells `fill`; `axis` how numbers
-//! between nodes follow; `lookup` how contacts follow.
+//! `fill` describes the stored numbers, and why zones of contact appear without a kink; `axis`
+//! describes the interpolation between nodes, and `lookup` the contacts.
 
 mod axis;
 mod begin;
