@@ -52,7 +52,7 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
         visit(number, &(forces, under(power, power_unit, power_slope_unit)));
         number += 1;
     };
-    if let Some(by) = by.filter(|_| SLOPES) {
+    let found = if let Some(by) = by.filter(|_| SLOPES) {
         let slip = PatchSlip::with_slopes(creepage, *behind, by);
         solver.shares(&slip, &mut |strip, share: Share<Dual<F, 3>>| {
             let (moment, power) = (share.about_centre(strip), share.power(&slip.creepage));
@@ -65,16 +65,16 @@ pub(crate) fn each_strip<F: Float, const SLOPES: bool>(
                 of
             };
             take(([share.fx, share.fy, moment].map(at_centre), at_centre(power)));
-        });
+        })
     } else {
         let slip = PatchSlip::new(creepage, *behind);
         solver.shares(&slip, &mut |strip, share: Share<F>| {
             let power = share.power(creepage);
             let forces = [share.fx, share.fy, share.about_centre(strip)];
             take((forces.map(Dual::from_base), Dual::from_base(power)));
-        });
-    }
+        })
+    };
     let (bound, law, falls) = (problem.bound, problem.law, problem.law.falls());
-    let warning = problem.warning(solver.warning(), warning);
+    let warning = problem.warning(found, warning);
     Ok(Visited { share, bound, law, falls, warning })
 }

@@ -69,7 +69,7 @@ impl<'a, F: Float> PatchField<'a, F> {
         let problem = FrictionProblem::new(patch, creepage, law, model)?;
         let (share, of_friction) = problem.agreement()?;
         let scaled = problem.scaled(share)?;
-        let warning = problem.warning(scaled.problem()?.warning(), of_friction);
+        let warning = problem.warning(scaled.problem()?.solution().warning, of_friction);
         let Scaled { patch: view, creepage, factor, behind, .. } = scaled;
         let units = LawUnits { traction: share, slip: F::one() / factor };
         Ok(Self { view, creepage, model, behind, units, warning })

@@ -10,6 +10,7 @@ use crate::patch::sizes::Widths;
 use crate::patch::slip::{PatchSlip, Share, ZoneSplit, creepage_at, creepage_of_strip};
 use crate::patch::zones::Zone;
 use crate::patch::{PatchStrip, PatchView, QuadratureScale};
+use crate::status::Warning;
 use crate::strip::{Distribution, Flexibilities, StripCreepage, StripGeometry, eight_strips};
 use heapless::Vec;
 
@@ -63,12 +64,14 @@ impl<F: Float> ZoneModel<F> {
     }
 }
 
-/// Passes the forces of every strip to `visit`, eight strips side by side. (Out of line, so that
-/// the other models do not take its room on the stack.)
+/// Passes the forces of every strip to `visit`, eight strips side by side. Returns the warning of
+/// the ellipses. Out of line, so that the other models do not take its room on the stack.
 #[inline(never)]
 pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
-    view: &PatchView<F>, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
-) {
+    view: &PatchView<F>, slip: &PatchSlip<T>, warning_of: &dyn Fn(&Contact<F>) -> Warning,
+    visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+) -> Warning {
+    let mut warning = Warning::None;
     let QuadratureScale { area, lever } = view.quadrature();
     let (mut known, mut last): (Option<ZoneModel<F>>, Option<ZoneCreepages<T>>) = (None, None);
     let of_patch = view.sizes.widths;
@@ -95,6 +98,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
                     if !known.as_ref().is_some_and(|model| zone.nearly_equals(&model.zone)) {
                         // So that the slopes are those of the linear theory for any quadrature.
                         (known, last) = (Some(ZoneModel::new(&zone, [area, lever])), None);
+                        warning = warning.worse(warning_of(&zone.contact));
                     }
                     in_lobe = true;
                 }
@@ -125,6 +129,7 @@ pub(super) fn strip_shares<F: Float, T: Number<Base = F>>(
             }
         }
     }
+    warning
 }
 
 /// The forces of a strip, behind a layer their mean over half-spaces and bristles.

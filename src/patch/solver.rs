@@ -73,45 +73,39 @@ impl<'a, F: Float> Problem<'a, F> {
         slip + view.zones().fold(F::zero(), |most, zone| most.max(zone.contact.strain().abs()))
     }
 
-    pub fn warning(&self) -> Warning {
-        // with the largest spin of any strip
-        let [_, own] = self.view.most_own();
-        let spin = self.creepage.spin.abs() + own;
-        let creepage = &Creepage { spin, ..*self.creepage };
-        let of = |bound: F, Parameters { axis_ratio, psi, .. }: Parameters<F>| {
-            model_warning(self.model, bound, axis_ratio, psi)
-        };
-        let is_warning = |warning: &Warning| *warning != Warning::None;
+    /// The warning of the patch from that of its ellipses or, in the theories of 1967, its strips.
+    fn warning(&self, of_parts: Warning) -> Warning {
         if self.model.is_of_1967() && self.view.mismatch() != F::zero() {
             return Warning::MismatchNeglected;
         }
-        if self.view.mismatch().abs() > F::constant(LARGEST_MISMATCH) {
-            return Warning::Mismatch;
-        }
-        let first = if matches!(self.model, Model::Strip | Model::Total) {
-            self.view.find_zone(|Zone { contact, .. }| {
-                let own = of(contact.friction_bound(), Parameters::new(contact, creepage));
-                is_warning(&own).then_some(own)
-            })
-        } else {
-            let strips = self.view.strips().iter();
-            let mut strips =
-                strips.map(|strip| of(strip.friction_bound(), self.parameters(strip, creepage)));
-            strips.find(is_warning)
-        };
-        first.unwrap_or(Warning::None)
+        let is_far = self.view.mismatch().abs() > F::constant(LARGEST_MISMATCH);
+        if is_far { Warning::Mismatch } else { of_parts }
     }
 
-    /// Passes the forces of every strip to `visit`.
+    /// Passes the forces of every strip to `visit`. Returns the warning of the patch.
     pub(super) fn shares<T: Number<Base = F>>(
         &self, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
-    ) {
+    ) -> Warning {
+        // with the largest spin of any strip
+        let [_, own] = self.view.most_own();
+        let spin = self.creepage.spin.abs() + own;
+        let fastest = Creepage { spin, ..*self.creepage };
+        let warning_of = |bound: F, parameters: Parameters<F>| {
+            let Parameters { axis_ratio, psi, .. } = parameters;
+            model_warning(self.model, bound, axis_ratio, psi)
+        };
+        let of_ellipse = |contact: &Contact<F>| {
+            warning_of(contact.friction_bound(), Parameters::new(contact, &fastest))
+        };
+        let mut warning = Warning::None;
         if Model::HAS_STRIP && self.model == Model::Strip {
-            strip_shares(self.view, slip, visit);
+            warning = strip_shares(self.view, slip, &of_ellipse, visit);
         } else if Model::HAS_TOTAL && self.model == Model::Total {
-            self.elliptic_shares(slip, visit);
+            warning = self.elliptic_shares(slip, &of_ellipse, visit);
         } else if Model::HAS_STRIP_1967 {
             for (i, strip) in self.view.strips().iter().enumerate() {
+                let parameters = self.parameters(strip, &fastest);
+                warning = warning.worse(warning_of(strip.friction_bound(), parameters));
                 let of_strip = self.view.own(i);
                 let creepage = creepage_of_strip(&slip.creepage, strip, of_strip.as_ref());
                 let own = slip.behind.and_then(|behind| Some((behind, self.view.zone(i)?)));
@@ -126,6 +120,7 @@ impl<'a, F: Float> Problem<'a, F> {
                 visit(strip, share.on(strip, T::zero(), of_strip.as_ref()));
             }
         }
+        self.warning(warning)
     }
 
     /// Kalker's parameters in units of a strip.
@@ -162,17 +157,22 @@ impl<'a, F: Float> Problem<'a, F> {
     /// Every strip's share of the forces of the ellipse of its zone.
     #[inline(never)]
     fn elliptic_shares<T: Number<Base = F>>(
-        &self, slip: &PatchSlip<T>, visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
-    ) {
+        &self, slip: &PatchSlip<T>, warning_of: &dyn Fn(&Contact<F>) -> Warning,
+        visit: &mut dyn FnMut(&PatchStrip<F>, Share<T>),
+    ) -> Warning {
+        let mut warning = Warning::None;
         let mut solved: Option<(Zone<F>, ZoneTotals<T>)> = None;
         let all = self.view.lobes_and_zones().flat_map(|(first, lobe, of_lobe)| {
             lobe.iter().zip(first..).map(move |(strip, i)| (strip, i, of_lobe))
         });
         for (strip, i, of_lobe) in all {
-            let Some(zone) = of_lobe.or_else(|| self.view.zone(i)) else { return };
+            let Some(zone) = of_lobe.or_else(|| self.view.zone(i)) else { return warning };
             let found = match solved {
                 Some((last, found)) if zone.nearly_equals(&last) => found,
-                _ => Self::elliptic_totals(&zone, slip),
+                _ => {
+                    warning = warning.worse(warning_of(&zone.contact));
+                    Self::elliptic_totals(&zone, slip)
+                }
             };
             solved = Some((zone, found));
             let (totals, shift, split) = found;
@@ -185,6 +185,7 @@ impl<'a, F: Float> Problem<'a, F> {
             let share = split.map_or(share, |split| split.mean(strip, share));
             visit(strip, Share { adheres: false, ..share.on(strip, shift, None) });
         }
+        warning
     }
 
     fn elliptic_totals<T: Number<Base = F>>(zone: &Zone<F>, slip: &PatchSlip<T>) -> ZoneTotals<T> {
@@ -217,8 +218,7 @@ impl<F: Float> Problem<'_, F> {
                 state: if adheres { State::Stick } else { State::Slip },
                 reserved: 0,
             });
-        });
-        self.warning()
+        })
     }
 }
 

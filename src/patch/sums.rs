@@ -20,11 +20,12 @@ struct PatchSums<T: Number> {
     power: T,
     /// Share of the area in adhesion; -1 for a model without strips.
     adhesion: T::Base,
+    warning: Warning,
 }
 
 impl<F: Float> PatchSums<F> {
-    fn solution(&self, warning: Warning) -> Solution<F> {
-        let Self { forces: [fx, fy, mz], power, adhesion } = *self;
+    fn solution(&self) -> Solution<F> {
+        let Self { forces: [fx, fy, mz], power, adhesion, warning } = *self;
         Solution { fx, fy, mz, power, adhesion, warning, reserved: 0 }
     }
 }
@@ -40,7 +41,7 @@ impl<F: Float> PatchSums<Dual<F, 3>> {
 impl<F: Float> Problem<'_, F> {
     /// Forces; see [`solve_patch`](super::solver::solve_patch).
     pub fn solution(&self) -> Solution<F> {
-        self.sums(&PatchSlip::new(self.creepage, self.behind), |_, _| ()).solution(self.warning())
+        self.sums(&PatchSlip::new(self.creepage, self.behind), |_, _| ()).solution()
     }
 
     /// The sums, while every share is passed to `visit`.
@@ -49,7 +50,7 @@ impl<F: Float> Problem<'_, F> {
     ) -> PatchSums<T> {
         let (mut forces, mut besides) = ([T::zero(); 3], T::zero());
         let (mut stick, mut whole) = (F::zero(), F::zero());
-        self.shares(slip, &mut |strip, share| {
+        let warning = self.shares(slip, &mut |strip, share| {
             visit(strip, &share);
             besides += share.besides;
             add(&mut forces, [share.fx, share.fy, share.mz]);
@@ -67,7 +68,7 @@ impl<F: Float> Problem<'_, F> {
         } else {
             F::zero()
         };
-        PatchSums { forces, power, adhesion }
+        PatchSums { forces, power, adhesion, warning }
     }
 
     /// Forces with the derivatives with respect to the creepages, all others zero; and those with
@@ -92,7 +93,7 @@ impl<F: Float> Problem<'_, F> {
             all.power += turned(power);
             translation.power += moved(power);
         });
-        let PatchSums { forces, power, adhesion } = found;
+        let PatchSums { forces, power, adhesion, warning } = found;
         let jacobian = forces.map(|sum| sum.gradient);
         let mut slopes = Slopes {
             derivatives: Derivatives { jacobian, ..Derivatives::default() },
@@ -114,7 +115,8 @@ impl<F: Float> Problem<'_, F> {
         let others = [&slopes.by_mismatch, by_layer, by_slide].map(|by| &by.forces);
         let mut entries = jacobian.iter().chain(others).flatten();
         Error::Overflow.unless(entries.all(|entry| entry.is_finite_number()))?;
-        let values = PatchSums { forces: forces.map(Dual::value), power: power.value, adhesion };
-        Ok(((values.solution(self.warning()), slopes, interface), [all, translation]))
+        let (forces, power) = (forces.map(Dual::value), power.value);
+        let values = PatchSums { forces, power, adhesion, warning };
+        Ok(((values.solution(), slopes, interface), [all, translation]))
     }
 }

@@ -85,10 +85,10 @@ impl<'a, F: Float> PatchView<'a, F> {
             }
             view.of_lobes = zones;
         }
-        Error::Overflow.when(view.find_zone(|zone| zone.contact.check().err()).is_some())?;
         if are_usual {
             return Ok(view);
         }
+        Error::Overflow.when(view.find_zone(|zone| zone.contact.check().err()).is_some())?;
         for strip in strips {
             strip.circle(shear_modulus, poisson_ratio).check().map_err(|_| Error::Overflow)?;
             // The pressure of the circle is zero where its load underflows.
