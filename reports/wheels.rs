@@ -374,12 +374,13 @@ fn horizontal(wrench: &Wrench<f64>) -> [f64; 2] {
     [wrench.force[0], wrench.force[1]]
 }
 
-/// Mean error of a way against CONTACT: S1002 on UIC60 without yaw, conformal contacts included.
+/// Mean error of a way against conformal CONTACT: S1002 on UIC60 without yaw.
 fn against_contact(stand: &mut Stand, way: Way, table: &[u8]) -> f64 {
     let mut errors = vec![];
     for row in rows_of("wheel_rail", "runs.csv") {
         let is_pair = &row["rail"] == "uic60" && &row["wheel"] == "s1002";
-        if !is_pair || number(&row, "yaw_rad") != 0.0 {
+        let is_conformal = !row["conformal_FX_N"].is_empty();
+        if !is_pair || !is_conformal || number(&row, "yaw_rad") != 0.0 {
             continue;
         }
         let position =
@@ -412,12 +413,11 @@ fn against_contact(stand: &mut Stand, way: Way, table: &[u8]) -> f64 {
                 stand.usual(&velocity).1
             }
         };
-        let [fx, fy] = [number(&row, "FX_N"), number(&row, "FY_N")];
+        let [fx, fy] = ["conformal_FX_N", "conformal_FY_N"].map(|name| number(&row, name));
         let bound = FRICTION * number(&row, "normal_force_N");
         errors.push((force[0] + fx).hypot(force[1] + fy) / bound);
     }
-    assert!(errors.len() > 40, "{}", errors.len());
-    println!("{} wheels by CONTACT", errors.len());
+    assert_eq!(errors.len(), 15);
     figures(errors)[0]
 }
 
