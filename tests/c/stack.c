@@ -17,6 +17,8 @@ static kstrip_wheel_workspace workspace;
 static kstrip_wheelset_workspace both;
 static kstrip_patch patch;
 static kstrip_options options;
+static uint8_t block[1 << 20];
+static uint32_t bytes_of_table, parts;
 
 static const kstrip_contact contact = {6e-3, 4.5e-3, 80e3, 82e9, 0.28, 0.3, 0};
 static const kstrip_creepage creepage = {1e-3, 5e-4, 0.2};
@@ -185,6 +187,49 @@ static int wheelset_settle(void)
                                   &forces);
 }
 
+static const kstrip_table_spec spec = {-2e-3, 3e-3, 5e-3, 0, 300e3, 9, 3, 3, 1, 16, 0};
+
+static int table_begin(void)
+{
+    const kstrip_wheel_pair own = pair();
+    return kstrip_table_begin(&rail, &wheel, &own, &spec, &workspace, block, bytes_of_table);
+}
+
+static int table_fill(void)
+{
+    const kstrip_wheel_pair own = pair();
+    return kstrip_table_fill(&rail, &wheel, &own, 0, parts, &workspace, block, bytes_of_table);
+}
+
+static int table_finish(void)
+{
+    const kstrip_wheel_pair own = pair();
+    kstrip_table_report report;
+    return kstrip_table_finish(&rail, &wheel, &own, 10, &workspace, block, bytes_of_table, &report);
+}
+
+/* All that makes a table: it is finished once. */
+static int table_made(void)
+{
+    int status = table_begin();
+    if (status >= 0)
+        status = table_fill();
+    return status >= 0 ? table_finish() : status;
+}
+
+static int wheel_on_table(void)
+{
+    static kstrip_wrench wrench;
+    static kstrip_wrench_derivatives derivatives;
+    static kstrip_wrench_by_position by_position;
+    const kstrip_wheel_pair own = pair();
+    kstrip_table table;
+    memset(&table, 0, sizeof table);
+    table.data = block, table.bytes = bytes_of_table;
+    return kstrip_wheel_on_table(&table, &own, &position, &velocity, &law, &workspace, &wrench,
+                                 &derivatives, &by_position);
+}
+
 typedef struct call {
     const char *name;
     int (*of)(void);
@@ -233,7 +278,11 @@ int main(void)
                     {"kstrip_wheel_on_rail", wheel_on_rail, 0},
                     {"kstrip_height_for_load", height_for_load, 0},
                     {"kstrip_wheelset_on_track", wheelset_on_track, 0},
-                    {"kstrip_wheelset_settle", wheelset_settle, 0}};
+                    {"kstrip_wheelset_settle", wheelset_settle, 0},
+                    {"kstrip_table_begin", table_begin, 0},
+                    {"kstrip_table_fill", table_fill, 0},
+                    {"kstrip_table_finish", table_made, 0},
+                    {"kstrip_wheel_on_table", wheel_on_table, 0}};
     const int models[] = {KSTRIP_MODEL_TOTAL, KSTRIP_MODEL_STRIP, KSTRIP_MODEL_STRIP_1967_CONTINUOUS};
     long least = 0;
     size_t k;
@@ -244,7 +293,8 @@ int main(void)
         wheel_z[i] = y[i] / -40 - y[i] * y[i];
     }
     if (kstrip_prepare_profile(y, rail_z, POINTS, 0, 0, &rail) < 0 ||
-        kstrip_prepare_profile(y, wheel_z, POINTS, 0, 0, &wheel) < 0)
+        kstrip_prepare_profile(y, wheel_z, POINTS, 0, 0, &wheel) < 0 ||
+        kstrip_table_size(&wheel, &spec, &bytes_of_table, &parts) < 0 || bytes_of_table > sizeof block)
         return 1;
     for (k = 0; k < sizeof calls / sizeof *calls; k++) {
         long most = 0;
