@@ -2331,9 +2331,10 @@ typedef struct kstrip_wrench_by_position {
  *
  * In a curve, pass the velocity relative to the momentary track, which is at rest; on a roller
  * that of the wheel's centre in the axes of the rig. Force and moment are continuous in position
- * and velocity, but where a rail is so rough that its normals cross below the wheel. A contact
- * appears and vanishes with zero load, and two become one between 7 and 5 mm. Only with
- * KSTRIP_WARNING_ROUGH forces may jump. The time is bounded.
+ * and velocity, but where normals of a rail cross below the wheel: on a rough rail, and where the
+ * bodies overlap by more than 3 mm on a flange. A contact appears and vanishes with zero load, and
+ * two become one between 7 and 5 mm. Forces may also jump with KSTRIP_WARNING_ROUGH. The time is
+ * bounded.
  *
  * @param rail, wheel     prepared profiles.
  * @param pair            materials, friction, side, number of strips, model.
