@@ -36,9 +36,9 @@ const SIZE: u32 = 11;
 
 /// Where a label goes: the place near its point that covers least of the labels and points before.
 fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
-    let (width, height) = (6.2 * text.chars().count() as f64, f64::from(SIZE) + 1.0);
+    let (width, height) = (6.4 * text.chars().count() as f64 + 6.0, f64::from(SIZE) + 5.0);
     let mut best = ([0.0; 4], f64::INFINITY);
-    for gap in [9.0, 16.0, 24.0, 34.0, 46.0, 60.0] {
+    for gap in [8.0, 14.0, 22.0, 32.0, 44.0, 58.0, 74.0, 92.0] {
         for step in 0..24 {
             let (sine, cosine) = (f64::from(step) * std::f64::consts::TAU / 24.0).sin_cos();
             let x = point.0 + gap * cosine + 0.5 * width * (cosine * 1.5).clamp(-1.0, 1.0);
@@ -46,7 +46,7 @@ fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
             let here = [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0];
             let covered: f64 = taken.iter().map(|other| overlap(&here, other)).sum();
             let outside = width * height - overlap(&here, frame);
-            let cost = 4.0 * covered + 100.0 * outside + gap;
+            let cost = 40.0 * covered + 100.0 * outside + gap;
             if cost < best.1 {
                 best = (here, cost);
             }
@@ -100,7 +100,8 @@ fn panel(canvas: &Canvas, plot: &Plot, marks: &[Mark], which: usize) -> Drawn {
     for (mark, (x, y)) in &shown {
         dot(canvas, plot.at(*x, *y), 4.0, mark.ink, mark.filled)?;
     }
-    let frame = [plot.left, plot.top, plot.left + plot.width, plot.top + plot.height];
+    let (right, bottom) = (plot.left + plot.width, plot.top + plot.height);
+    let frame = [plot.left + 4.0, plot.top + 4.0, right - 4.0, bottom - 4.0];
     // long labels first: they find room hardest
     let mut labelled = shown;
     labelled.sort_by_key(|(mark, _)| std::cmp::Reverse(mark.label.chars().count()));
@@ -140,7 +141,7 @@ pub fn draw(path: &Path, marks: &[Mark]) -> Drawn {
                 top: 66.0 + 590.0 * which as f64,
                 width: 660.0,
                 height: 510.0,
-                x: Axis { low: 2.5, high: 4e4, logarithmic: true, ticks: ticks.clone() },
+                x: Axis { low: 2.5, high: 1e5, logarithmic: true, ticks: ticks.clone() },
                 y: y.clone(),
             };
             panel(canvas, &plot, marks, which)?;
