@@ -1,5 +1,5 @@
 //! Error against memory of contact tables: `cargo bench --bench tables` writes the table of
-//! `docs/reference/contact-tables.md`.
+//! `docs/evidence/tables.md`.
 //!
 //! Errors are those that a finished table tells: against the direct call with 64 strips, over
 //! positions that are spread over its ranges.
@@ -174,7 +174,7 @@ fn main() {
             page.row(row);
         }
     }
-    let path = root().join("docs/reference/contact-tables.md");
+    let path = root().join("docs/evidence/tables.md");
     let [begin, end] = ["begin", "end"].map(|which| format!("<!-- tables: {which} -->\n"));
     let whole = read(&path);
     let (head, rest) = whole.split_once(&begin).expect("the place of the table");

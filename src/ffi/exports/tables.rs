@@ -17,8 +17,7 @@ use crate::wheel_rail::{Position, Velocity, WheelPair};
 use core::mem::MaybeUninit;
 
 /// Size of a contact table, which holds contacts of kstrip_wheel_on_rail() at nodes;
-/// kstrip_wheel_on_table() interpolates between them. docs/reference/contact-tables.md has its
-/// accuracy.
+/// kstrip_wheel_on_table() interpolates between them. docs/evidence/tables.md has its accuracy.
 ///
 /// A table is caller-provided memory at any address, without pointers and little-endian. It may be
 /// written to a file, and read or mapped again on another machine and by either precision. It is
