@@ -132,9 +132,9 @@ impl<'a, F: Float> Blend<'a, F> {
         }
         let number = |bytes: &[u8; 2]| F::widened(f32::from(i16::from_le_bytes(*bytes)));
         for (record, weight) in nodes {
-            let [squares, pressures, angles] = table.fields(record);
+            let ([squares, pressures], angles) = table.fields(record);
             let first = (record.first as usize).saturating_sub(from);
-            let [length, peak] = record.scales.map(|scale| F::widened(scale) * *weight);
+            let [length, peak, angle] = record.scales.map(|scale| F::widened(scale) * *weight);
             let (more, higher) = (floor * *weight, least_pressure * *weight);
             for (own, bytes) in square.iter_mut().skip(first).zip(squares) {
                 *own += number(bytes) * length + more;
@@ -144,14 +144,14 @@ impl<'a, F: Float> Blend<'a, F> {
             }
             let (Some(begin), Some(end)) = (angles.first(), angles.last()) else { continue };
             // beyond its places a node has the angles of the first and of the last
-            let angle = weight.times(1.0 / 32767.0);
+            let number = |byte: u8| F::widened(f32::from(i8::from_le_bytes([byte]))) * angle;
             let (before, rest) = parted(half_angle, first);
             let (inside, after) = parted(rest, angles.len());
-            for (own, bytes) in inside.iter_mut().zip(angles) {
-                *own += number(bytes) * angle;
+            for (own, byte) in inside.iter_mut().zip(angles) {
+                *own += number(*byte);
             }
             for (places, outer) in [(before, begin), (after, end)] {
-                let term = number(outer) * angle;
+                let term = number(*outer);
                 places.iter_mut().for_each(|own| *own += term);
             }
         }

@@ -4,9 +4,9 @@
 //!   0  "kstriptb"            8  version, state          16  length, checksum of the rest
 //!  32  five counts           64  twelve numbers
 //! then in double precision: lateral nodes of each slab, loads to the power 2/3, places on the
-//! wheel (y, z, cosine, sine), heights; of each node offset, first place, number of places and two
-//! scales; then of each node l² and p² with a sign and half the angle between the surfaces, as
-//! integers of 16 bits
+//! wheel (y, z, cosine, sine), heights; of each node offset, first place, number of places and three
+//! scales; then of each node l² and p² with a sign as integers of 16 bits, and half the angle between
+//! the surfaces as integers of 8 bits
 //! ```
 //!
 //! A slab has one yaw and one roll; its nodes are lateral positions, each with all levels.
@@ -19,7 +19,7 @@ use crate::wheel_rail::WheelPair;
 use crate::wheel_rail::profile::CurvePoint;
 
 const MAGIC: u64 = u64::from_le_bytes(*b"kstriptb");
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 /// States of a table.
 pub(super) const BEGUN: u32 = 1;
 pub(super) const FINISHED: u32 = 2;
@@ -29,14 +29,14 @@ const CHECKED_FROM: usize = 32;
 const NUMBERS_AT: usize = 64;
 const NUMBERS: usize = 12;
 /// Bytes of a record of a node, of a place, and of the three numbers of a place in a node.
-pub(super) const RECORD: usize = 16;
+pub(super) const RECORD: usize = 20;
 const PLACE: usize = 32;
-pub(super) const FIELD: usize = 6;
+pub(super) const FIELD: usize = 5;
 /// Largest number of places on the wheel, and of nodes of each axis.
 pub(super) const MOST_PLACES: usize = 1024;
 const MOST_NODES: [u32; 4] = [256, 64, 33, 65];
 /// `l²` that stands for all smaller ones \[m²\].
-pub(super) const SQUARE_FLOOR: f64 = 2e-5;
+pub(super) const SQUARE_FLOOR: f64 = 8e-6;
 
 /// Numbers of a header.
 #[derive(Clone, Copy)]
@@ -147,8 +147,8 @@ pub(super) struct Record {
     pub offset: u32,
     pub first: u16,
     pub count: u16,
-    /// `l²` and `p²` of one step of their integers.
-    pub scales: [f32; 2],
+    /// `l²`, `p²` and half angle of one step of their integers.
+    pub scales: [f32; 3],
 }
 
 impl Record {
@@ -157,9 +157,9 @@ impl Record {
         write_bytes(&mut bytes, 0, self.offset.to_le_bytes());
         write_bytes(&mut bytes, 4, self.first.to_le_bytes());
         write_bytes(&mut bytes, 6, self.count.to_le_bytes());
-        let [length, pressure] = self.scales;
-        write_bytes(&mut bytes, 8, length.to_le_bytes());
-        write_bytes(&mut bytes, 12, pressure.to_le_bytes());
+        for (k, scale) in self.scales.into_iter().enumerate() {
+            write_bytes(&mut bytes, 8 + 4 * k, scale.to_le_bytes());
+        }
         bytes
     }
 }
@@ -315,18 +315,18 @@ impl<'a> ContactTable<'a> {
             offset: u32::from_le_bytes(bytes_at(self.bytes, at)),
             first: u16::from_le_bytes(bytes_at(self.bytes, at + 4)),
             count: u16::from_le_bytes(bytes_at(self.bytes, at + 6)),
-            scales: [8, 12].map(|own| f32::from_le_bytes(bytes_at(self.bytes, at + own))),
+            scales: [8, 12, 16].map(|own| f32::from_le_bytes(bytes_at(self.bytes, at + own))),
         }
     }
 
-    /// `l²`, `p²` and the half angles of a node, in the steps of its scales.
-    pub(super) fn fields(&self, record: &Record) -> [&'a [[u8; 2]]; 3] {
+    /// `l²` and `p²` of a node, and its half angles, in the steps of its scales.
+    pub(super) fn fields(&self, record: &Record) -> ([&'a [[u8; 2]]; 2], &'a [u8]) {
         let [.., fields] = self.sections;
         let (from, count) = (fields + record.offset as usize, record.count as usize);
-        [0, 1, 2].map(|list| {
-            let from = from + 2 * count * list;
-            self.bytes.get(from..from + 2 * count).unwrap_or(&[]).as_chunks::<2>().0
-        })
+        let bytes = self.bytes.get(from..from + FIELD * count).unwrap_or(&[]);
+        let (squares, angles) = bytes.split_at(bytes.len().min(4 * count));
+        let (lengths, pressures) = squares.split_at(squares.len().min(2 * count));
+        ([lengths, pressures].map(|list| list.as_chunks::<2>().0), angles)
     }
 
     /// Whether it is that of these materials and this radius.

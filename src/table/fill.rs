@@ -13,7 +13,9 @@
 //! where `e` makes it zero at the nearest end of a zone, and fades with the distance from there.
 
 use super::blend::pressure_by_square;
-use super::block::{BEGUN, ContactTable, FIELD, MOST_PLACES, Record, SQUARE_FLOOR, write_bytes};
+use super::block::{
+    BEGUN, ContactTable, FIELD, MOST_PLACES, RECORD, Record, SQUARE_FLOOR, write_bytes,
+};
 use super::lookup::ROUNDNESS;
 use crate::contact::totals::StripCount;
 use crate::number::{Arithmetic, Float, Strips, length, pairs};
@@ -101,10 +103,10 @@ pub(super) fn fill<F: Float>(
             let at = part.offset + level * FIELD * table.counts.places;
             let out = part.fields.get_mut(level * FIELD * table.counts.places..);
             let record = write_node(&fine, &table, &position, memory, (at, out.unwrap_or(&mut [])));
-            write_bytes(part.records, 16 * level, record.bytes());
+            write_bytes(part.records, RECORD * level, record.bytes());
             position.vertical.to_f64()
         } else {
-            write_bytes(part.records, 16 * level, Record::default().bytes());
+            write_bytes(part.records, RECORD * level, Record::default().bytes());
             f64::NAN
         };
         write_bytes(part.heights, 8 * level, height.to_le_bytes());
@@ -320,15 +322,18 @@ fn write_node<F: Float>(
     }
     let first = first.min(end).saturating_sub(1);
     let nodes = nodes.get(first..(end + 1).min(table.counts.places)).unwrap_or(&[]);
-    let scales = largest.map(|largest| (largest / 32767.0) as f32);
-    let [length, peak] = scales.map(|scale| 1.0 / f64::from(scale));
+    let widest = nodes.iter().fold(1e-9, |widest, [.., own]| Arithmetic::max(widest, own.abs()));
+    let [length, peak] = largest;
+    let scales = [length / 32767.0, peak / 32767.0, widest / 127.0].map(|scale| scale as f32);
+    let per_step = scales.map(|scale| 1.0 / f64::from(scale));
+    let nearest = |number: f64| number + if number < 0.0 { -0.5 } else { 0.5 };
+    let count = nodes.len();
     for (k, [square, pressure, half_angle]) in nodes.iter().enumerate() {
-        let numbers = [square * length, pressure * peak, half_angle * 32767.0];
-        for (list, number) in numbers.into_iter().enumerate() {
-            let nearest = number + if number < 0.0 { -0.5 } else { 0.5 };
-            write_bytes(out, 2 * (list * nodes.len() + k), (nearest as i16).to_le_bytes());
-        }
+        let [length, peak, angle] = per_step;
+        write_bytes(out, 2 * k, (nearest(square * length) as i16).to_le_bytes());
+        write_bytes(out, 2 * (count + k), (nearest(pressure * peak) as i16).to_le_bytes());
+        write_bytes(out, 4 * count + k, (nearest(half_angle * angle) as i8).to_le_bytes());
     }
-    let (offset, count) = (offset as u32, nodes.len() as u16);
+    let (offset, count) = (offset as u32, count as u16);
     Record { offset, first: first as u16, count, scales }
 }
