@@ -264,6 +264,43 @@ fn polachs_sets_are_met() {
     let [mean, high, worst] = statistics(&errors);
     println!("Polach {mean:.4} {high:.4} {worst:.4}");
     assert!(mean < 0.018 && high < 0.037 && worst < 0.05, "{mean} {high} {worst}");
+    let told = format!("Polach's formula, four published sets | {mean:.3} `μ0 N` | {worst:.3}");
+    assert_told("docs/evidence/adhesion.md", &told);
+}
+
+/// The law with the members that docs/reference/other-programs.md makes of modified FASTSIM's
+/// `k₀, α, β`, against forces whose stiffness changes with the slip as there:
+/// `k = k₀ (α + (1 − α)/(1 + β ε))`, `ε = (π/4) k₀ G a b C11 υx/(μ N)`.
+#[test]
+fn modified_fastsims_stiffness_is_met() {
+    let c = LOCOMOTIVE;
+    let LinearCoefficients { c11, .. } = LinearCoefficients::at(c.a / c.b, c.poisson_ratio);
+    let linear = PI / 4.0 * c.shear_modulus * c.a * c.b * c11 / c.friction_bound();
+    let mut errors = Vec::new();
+    for slope in [0.2, 0.4, 0.6, 0.8, 1.0] {
+        for alpha in [0.02, 0.1, 0.3, 0.5, 0.8, 1.0] {
+            for beta in [0.1, 0.2, 0.4, 0.6, 0.8_f64] {
+                let cubed = beta.powi(3);
+                let lost = (1.0 - alpha) * (1.0 - alpha) * cubed / (2.3 + 1.45 * cubed);
+                let left = alpha + (1.0 - alpha) / (1.0 + 3.4 * beta + 11.0 * cubed);
+                let law = falling(c.friction, 1.0, 0.0, 0.0, slope * (1.0 - lost));
+                let law = SlipFriction { slide_factor: 0.83 * left, ..law };
+                for i in 0..30 {
+                    let x = 1e-4 * 1000_f64.powf(f64::from(i) / 29.0);
+                    let by_slip = alpha + (1.0 - alpha) / (1.0 + beta * slope * linear * x);
+                    let softer = Contact { shear_modulus: c.shear_modulus * slope * by_slip, ..c };
+                    let wanted = forces_of_contact(&softer, &along(x), &total()).unwrap();
+                    let off = behind(&along(x), &law).fx - wanted.fx;
+                    errors.push(off.abs() / c.friction_bound());
+                }
+            }
+        }
+    }
+    let [mean, _, worst] = statistics(&errors);
+    println!("modified FASTSIM {mean:.4} {worst:.4}");
+    assert!(mean < 0.007 && worst < 0.05, "{mean} {worst}");
+    let told = format!("same change of stiffness in TOTAL | {mean:.3} `μ0 N` | {worst:.3}");
+    assert_told("docs/evidence/adhesion.md", &told);
 }
 
 #[test]
