@@ -34,23 +34,8 @@ fn around((x, y): (f64, f64), radius: f64) -> Box4 {
 
 const SIZE: u32 = 11;
 
-/// A line as rows of small boxes.
-fn along(p: (f64, f64), q: (f64, f64)) -> impl Iterator<Item = Box4> {
-    let steps = ((p.0 - q.0).hypot(p.1 - q.1) / 4.0).ceil();
-    (0..steps as usize).map(move |k| {
-        let t = k as f64 / steps;
-        around((p.0 + t * (q.0 - p.0), p.1 + t * (q.1 - p.1)), 1.5)
-    })
-}
-
-/// Where the line from a point to its label ends.
-fn nearest(point: (f64, f64), label: &Box4) -> (f64, f64) {
-    (point.0.clamp(label[0], label[2]), point.1.clamp(label[1], label[3]))
-}
-
-/// Where a label goes: the place near its point that covers least of the marks, lines and labels
-/// before, and whose line crosses least of these labels.
-fn place(point: (f64, f64), text: &str, frame: &Box4, (taken, labels): (&[Box4], &[Box4])) -> Box4 {
+/// Where a label goes: the place near its point that covers least of the labels and points before.
+fn place(point: (f64, f64), text: &str, frame: &Box4, taken: &[Box4]) -> Box4 {
     let (width, height) = (6.4 * text.chars().count() as f64 + 6.0, f64::from(SIZE) + 5.0);
     let mut best = ([0.0; 4], f64::INFINITY);
     for gap in [8.0, 14.0, 22.0, 32.0, 44.0, 58.0, 74.0, 92.0] {
@@ -59,10 +44,7 @@ fn place(point: (f64, f64), text: &str, frame: &Box4, (taken, labels): (&[Box4],
             let x = point.0 + gap * cosine + 0.5 * width * (cosine * 1.5).clamp(-1.0, 1.0);
             let y = point.1 + gap * sine + 0.5 * height * (sine * 1.5).clamp(-1.0, 1.0);
             let here = [x - width / 2.0, y - height / 2.0, x + width / 2.0, y + height / 2.0];
-            let line = || along(point, nearest(point, &here));
-            let crossed = labels.iter().flat_map(|other| line().map(|own| overlap(&own, other)));
-            let covered = taken.iter().chain(labels).map(|other| overlap(&here, other));
-            let covered = covered.chain(crossed).sum::<f64>();
+            let covered: f64 = taken.iter().map(|other| overlap(&here, other)).sum();
             let outside = width * height - overlap(&here, frame);
             let cost = 40.0 * covered + 100.0 * outside + gap;
             if cost < best.1 {
@@ -102,12 +84,17 @@ fn panel(canvas: &Canvas, plot: &Plot, marks: &[Mark], which: usize) -> Drawn {
         let ink = of.first().map_or(GREY, |(mark, _)| mark.ink);
         curves.push((ink, 1.0, of.iter().map(|(_, point)| *point).collect()));
     }
-    // what labels keep off
+    // what labels keep off: marks, and lines as rows of small boxes
     let mut taken: Vec<Box4> = points.iter().map(|p| around(plot.at(p.0, p.1), 4.0)).collect();
     for (ink, width, curve) in &curves {
         plot.curve(canvas, curve, *ink, *width)?;
         for pair in curve.windows(2) {
-            taken.extend(along(plot.at(pair[0].0, pair[0].1), plot.at(pair[1].0, pair[1].1)));
+            let (p, q) = (plot.at(pair[0].0, pair[0].1), plot.at(pair[1].0, pair[1].1));
+            let steps = ((p.0 - q.0).hypot(p.1 - q.1) / 4.0).ceil();
+            for k in 0..steps as usize {
+                let t = k as f64 / steps;
+                taken.push(around((p.0 + t * (q.0 - p.0), p.1 + t * (q.1 - p.1)), 1.5));
+            }
         }
     }
     for (mark, (x, y)) in &shown {
@@ -116,19 +103,18 @@ fn panel(canvas: &Canvas, plot: &Plot, marks: &[Mark], which: usize) -> Drawn {
     let (right, bottom) = (plot.left + plot.width, plot.top + plot.height);
     let frame = [plot.left + 4.0, plot.top + 4.0, right - 4.0, bottom - 4.0];
     // long labels first: they find room hardest
-    let (mut labelled, mut labels) = (shown, Vec::new());
+    let mut labelled = shown;
     labelled.sort_by_key(|(mark, _)| std::cmp::Reverse(mark.label.chars().count()));
     for (mark, (x, y)) in labelled.into_iter().filter(|(mark, _)| !mark.label.is_empty()) {
         let at = plot.at(x, y);
-        let here = place(at, &mark.label, &frame, (&taken, &labels));
-        let end = nearest(at, &here);
+        let here = place(at, &mark.label, &frame, &taken);
+        let end = (at.0.clamp(here[0], here[2]), at.1.clamp(here[1], here[3]));
         if (end.0 - at.0).hypot(end.1 - at.1) > 5.0 {
             line(canvas, &[at, end], GREY, 0.7)?;
-            taken.extend(along(at, end));
         }
         let middle = ((here[0] + here[2]) / 2.0, (here[1] + here[3]) / 2.0);
         write(canvas, &mark.label, middle, SIZE, Align::Centre, mark.ink)?;
-        labels.push(here);
+        taken.push(here);
     }
     Ok(())
 }
