@@ -4,9 +4,9 @@
 //!   0  "kstriptb"            8  version, state          16  length, checksum of the rest
 //!  32  five counts           64  twelve numbers
 //! then in double precision: lateral nodes of each slab, loads to the power 2/3, places on the
-//! wheel (y, z, cosine, sine), heights; of each node offset, first place, number of places and three
-//! scales; then of each node l² and p² with a sign as integers of 16 bits, and half the angle between
-//! the surfaces as integers of 8 bits
+//! wheel (y, z, cosine, sine), heights; of each node offset, first place, number of places and
+//! three scales; then of each node l² and p² with a sign as integers of 16 bits, and half the angle
+//! between the surfaces as integers of 8 bits
 //! ```
 //!
 //! A slab has one yaw and one roll; its nodes are lateral positions, each with all levels.
