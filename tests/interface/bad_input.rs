@@ -448,7 +448,12 @@ fn caller(
                 None => format!("{} = {value}", case.argument),
             },
         };
-        text += &format!("    case {number}: {bad}; break;\n");
+        // a list of numbers that the switch owned would end with it
+        let listed = ["double", "float"].iter().find_map(|real| {
+            let (place, numbers) = bad.split_once(&format!(" = ({real}[])"))?;
+            Some(format!("static const {real} own[] = {numbers}; {place} = own"))
+        });
+        text += &format!("    case {number}: {{ {}; break; }}\n", listed.unwrap_or(bad));
     }
     text += &format!(
         "    }}\n    const long status = {}({});\n",
