@@ -27,10 +27,11 @@ awk '$2 == "-" { print $1, $3, $4, $5 + 0; next } { print $2, $3, $4, $5 + 0, $7
 say "# Written by scripts/firmware.sh: call or function; bytes of flash, of flash with TOTAL alone (0: left out), of stack; median of instructions" >"$out/limits.head"
 
 say
-say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1)."
+sources=
 if commit=$(git log -1 --format=%h -- src 2>/dev/null); then
-    say "The sources of the library are at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
+    sources=" The sources of the library are at $commit$(git diff --quiet HEAD -- src || say ' with changes')."
 fi
+say "Compiler: $compiler. $(arm-none-eabi-gcc --version | head -n 1). $(qemu-system-arm --version | head -n 1).$sources"
 say
 say "### Each function on a Cortex-M4F"
 say
@@ -51,7 +52,7 @@ say "*Flash* is the size of a program that calls only this function, with all mo
 say
 say "No figure of flash, stack and median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
 say
-say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and the creepage of the limit by eight solutions. A fit of 50 points with TOTAL runs once a second."
+say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and the creepage of the limit by eight solutions. A fit of 50 points with TOTAL starts once a second of the simulated rig; the processor needs longer."
 say
 say "| | most instructions | cycles | µs at 168 MHz |"
 say "|---|---:|---:|---:|"

@@ -10,9 +10,9 @@
  *   5. says how much traction may be asked for before the contact slides, and at which creepage that is: the
  *      contact is now constant, prepared once, and solved for eight creepages,
  *   6. keeps every twentieth point of the creep curve.
- * Once a second it fits the curve to these 50 points: the coefficient of friction and the slope factor, with
- * their standard errors. A fit takes longer than a millisecond, so that firmware calls it where the control
- * loop may interrupt it.
+ * Once a second of the simulated rig it fits the curve to these 50 points: the coefficient of friction and the
+ * slope factor, with their standard errors. A fit takes more than a second of a processor of 168 MHz, so that
+ * firmware calls it less often, and where the control loop may interrupt it.
  *
  * Friction is estimated with the model's own sensitivity. Force is F = mu N f(creepage/mu), so
  *   dF/dmu = (F - sum_j dF/dcreepage_j creepage_j)/mu:
