@@ -237,8 +237,9 @@ impl<F: Float> PatchView<'_, F> {
         let ZoneSums { load, bound, square, centre: [x, y], pressure, .. } = *sums;
         let ZoneSums { volume, length: lengths, .. } = *sums;
         // Smaller products have no digits left; such a zone carries no load.
-        let load = if load.times(1e-6) > F::TINY { load } else { zero };
-        let loaded = load > zero;
+        let has_digits = |sum: F| sum.times(1e-6) > F::TINY;
+        let loaded = has_digits(load) && has_digits(square) && has_digits(pressure);
+        let load = if loaded { load } else { zero };
         let mean = |sum: F, own: F| if loaded { sum / load } else { own };
         let length = own.half_length * per_length;
         let y = mean(y, (own.y - units.y) * per_width);

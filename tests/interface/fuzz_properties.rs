@@ -328,6 +328,16 @@ fn patches_at_the_ends_of_the_range() {
     let scale = QuadratureScale { area: f64::MAX, lever: 1.0 };
     let view = PatchView::new(patch.used(), 82e9, 0.28, scale);
     assert_eq!(view.err(), Some(Error::Overflow));
+    // a lobe whose pressure has no square beside that of the other
+    for model in [Model::Strip, Model::Total, Model::Strip1967] {
+        for faint in [1e-6, 1e-9, 1e-14, 1e-20, 1e-30, 1e-100, 1e-150, 1e-200, 0.0] {
+            let double = forces_with_a_faint_lobe::<f64>(faint, model);
+            let single = forces_with_a_faint_lobe::<f32>(faint as f32, model);
+            for (one, other) in double.into_iter().zip(single) {
+                assert!(one.is_finite() && (f64::from(other) / one - 1.0).abs() < 1e-4);
+            }
+        }
+    }
     // what a point dissipates
     let (y, width, half_length, centre_x) = (0.0_f32, 2.5e-6, 2.4e-2, 0.0);
     let (peak_pressure, friction) = (3.8e7, 3.8e30);
@@ -336,6 +346,21 @@ fn patches_at_the_ends_of_the_range() {
     let (view, motion) = (patch.view().unwrap(), creep(1e-3, 0.1, 48.0));
     let field = PatchField::new(&view, &motion, None, Model::Strip1967Continuous);
     assert!(field.is_err_and(|error| error == Error::Overflow));
+}
+
+/// Forces, moment and power of a lobe of 1 GPa with another of this pressure beside it.
+fn forces_with_a_faint_lobe<F: Float>(faint: F, model: Model) -> [F; 4] {
+    let [width, half_length, friction] = [1e-3, 5e-3, 0.3].map(F::of);
+    let lobes = [(0.0, F::of(1e9)), (10e-3, faint)].map(|(y, peak_pressure)| {
+        let (y, centre_x) = (F::of(y), F::zero());
+        PatchStrip { y, width, half_length, centre_x, peak_pressure, friction }
+    });
+    let patch = Patch::from_strips(&lobes, F::of(82e9), F::of(0.28)).unwrap();
+    let [longitudinal, lateral, spin] = [1e-3, 1e-3, 0.3].map(F::of);
+    let motion = Creepage { longitudinal, lateral, spin };
+    let found = kstrip::patch::solver::solve_patch(&patch.view().unwrap(), &motion, model);
+    let Solution { fx, fy, mz, power, .. } = found.unwrap();
+    [fx, fy, mz, power]
 }
 
 /// A wheel of a file of MiniProf is moved to its running circle, also where the product of the
