@@ -322,8 +322,8 @@ impl<'a> ContactTable<'a> {
     /// `l²` and `p²` of a node, and its half angles, in the steps of its scales.
     pub(super) fn fields(&self, record: &Record) -> ([&'a [[u8; 2]]; 2], &'a [u8]) {
         let [.., fields] = self.sections;
-        let (from, count) = (fields + record.offset as usize, record.count as usize);
-        let bytes = self.bytes.get(from..from + FIELD * count).unwrap_or(&[]);
+        let (from, count) = (fields.saturating_add(record.offset as usize), record.count as usize);
+        let bytes = self.bytes.get(from..from.saturating_add(FIELD * count)).unwrap_or(&[]);
         let (squares, angles) = bytes.split_at(bytes.len().min(4 * count));
         let (lengths, pressures) = squares.split_at(squares.len().min(2 * count));
         ([lengths, pressures].map(|list| list.as_chunks::<2>().0), angles)

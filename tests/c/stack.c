@@ -208,13 +208,11 @@ static int table_finish(void)
     return kstrip_table_finish(&rail, &wheel, &own, 10, &workspace, block, bytes_of_table, &report);
 }
 
-/* All that makes a table: it is finished once. */
-static int table_made(void)
+/* What a table needs before it is finished. */
+static int table_filled(void)
 {
-    int status = table_begin();
-    if (status >= 0)
-        status = table_fill();
-    return status >= 0 ? table_finish() : status;
+    const int status = table_begin();
+    return status < 0 ? status : table_fill();
 }
 
 static int wheel_on_table(void)
@@ -230,9 +228,11 @@ static int wheel_on_table(void)
                                  &derivatives, &by_position);
 }
 
+/* A call, and what comes before it, on the stack of main. */
 typedef struct call {
     const char *name;
     int (*of)(void);
+    int (*before)(void);
     int status;
 } call;
 
@@ -250,6 +250,8 @@ static long used(call *one)
     long unchanged = 0;
     pthread_attr_t attributes;
     pthread_t thread;
+    if (one->before && one->before() < 0)
+        exit(4);
     if (posix_memalign(&room, 4096, ROOM))
         exit(2);
     memset(room, PAINT, ROOM);
@@ -265,24 +267,24 @@ static long used(call *one)
 
 int main(void)
 {
-    call calls[] = {{"nothing", nothing, 0},
-                    {"kstrip_solve", solve, 0},
-                    {"kstrip_evaluate", evaluate, 0},
-                    {"kstrip_evaluate_batch", evaluate_batch, 0},
-                    {"kstrip_creepage_for_force", creepage_for_force, 0},
-                    {"kstrip_estimate_friction", estimate_friction, 0},
-                    {"kstrip_fit_friction", fit_friction, 0},
-                    {"kstrip_patch_from_profile", from_profile, 0},
-                    {"kstrip_patch_evaluate", evaluate_patch, 0},
-                    {"kstrip_prepare_profile", prepare_profile, 0},
-                    {"kstrip_wheel_on_rail", wheel_on_rail, 0},
-                    {"kstrip_height_for_load", height_for_load, 0},
-                    {"kstrip_wheelset_on_track", wheelset_on_track, 0},
-                    {"kstrip_wheelset_settle", wheelset_settle, 0},
-                    {"kstrip_table_begin", table_begin, 0},
-                    {"kstrip_table_fill", table_fill, 0},
-                    {"kstrip_table_finish", table_made, 0},
-                    {"kstrip_wheel_on_table", wheel_on_table, 0}};
+    call calls[] = {{"nothing", nothing, NULL, 0},
+                    {"kstrip_solve", solve, NULL, 0},
+                    {"kstrip_evaluate", evaluate, NULL, 0},
+                    {"kstrip_evaluate_batch", evaluate_batch, NULL, 0},
+                    {"kstrip_creepage_for_force", creepage_for_force, NULL, 0},
+                    {"kstrip_estimate_friction", estimate_friction, NULL, 0},
+                    {"kstrip_fit_friction", fit_friction, NULL, 0},
+                    {"kstrip_patch_from_profile", from_profile, NULL, 0},
+                    {"kstrip_patch_evaluate", evaluate_patch, NULL, 0},
+                    {"kstrip_prepare_profile", prepare_profile, NULL, 0},
+                    {"kstrip_wheel_on_rail", wheel_on_rail, NULL, 0},
+                    {"kstrip_height_for_load", height_for_load, NULL, 0},
+                    {"kstrip_wheelset_on_track", wheelset_on_track, NULL, 0},
+                    {"kstrip_wheelset_settle", wheelset_settle, NULL, 0},
+                    {"kstrip_table_begin", table_begin, NULL, 0},
+                    {"kstrip_table_fill", table_fill, table_begin, 0},
+                    {"kstrip_table_finish", table_finish, table_filled, 0},
+                    {"kstrip_wheel_on_table", wheel_on_table, NULL, 0}};
     const int models[] = {KSTRIP_MODEL_TOTAL, KSTRIP_MODEL_STRIP, KSTRIP_MODEL_STRIP_1967_CONTINUOUS};
     long least = 0;
     size_t k;
