@@ -187,9 +187,9 @@ impl Report {
         self.line(
             "The picture plots the error against the time of one contact, for every model and \
              every other method but FASTSIM in ten lanes. The best methods are at the lower left. \
-             Times depend on the processor, and so do ratios of times. In the first table the ratios differ by up to \
-             two fifths between processors. [Counts of instructions](instructions.md) do not \
-             depend on the processor.\n",
+             Times depend on the processor, and so do ratios of times. In the first table the \
+             ratios differ by up to two fifths between processors. [Counts of \
+             instructions](instructions.md) do not depend on the processor.\n",
         );
         self.processors(machine);
         self.line("\n## How it was measured\n");
