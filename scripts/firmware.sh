@@ -378,6 +378,29 @@ c_flags=$c_flags_before
 } | awk -f scripts/cycles.awk >"$out/cycles.txt"
 [ "$(grep -vc '^#' "$out/budget.txt")" = "$(wc -l <"$out/cycles.txt")" ] || fail "trace of budget.c: see $out/cycles.txt"
 
+# ---------------------------------------------------------------- a contact table in flash
+
+say "a wheel on a contact table in flash"
+host table_lookup
+"$out/table_lookup.host" tests/data/wheel_rail "$out/table.bin" "$out/poses.bin" >"$out/table_lookup.host.txt" \
+    || fail "table_lookup on this machine"
+for name in table poses; do
+    (cd "$out" && arm-none-eabi-objcopy -I binary -O elf32-littlearm -B arm \
+        --rename-section .data=.rodata,alloc,load,readonly,data,contents $name.bin $name.o)
+done
+# Software doubles from the library itself, as above
+first="$out/table.o $out/poses.o $out/m4f.a"
+firmware table_lookup "$m4" "$out/m4f.a" "$out/table_lookup.elf"
+first=
+run mps2-an386 "$out/table_lookup.elf" "$out/table_lookup.txt"
+if grep -v '^#' "$out/table_lookup.txt" | cmp - "$out/table_lookup.host.txt"; then
+    lookup_bits="the forces of this machine, bit for bit"
+else
+    lookup_bits="DIFFERENT forces"
+    miss "forces on a contact table differ from those of this machine"
+fi
+grep '^#' "$out/table_lookup.txt"
+
 # Cortex-M7, compiled for it: the same bits again
 build m7 "-C target-cpu=cortex-m7"
 proved m7

@@ -63,6 +63,12 @@ sed -n 's/^# most instructions: \([0-9]*\) of a period, \([0-9]*\) of a fit$/\1 
     { printf "| a period of 1 ms | %d | %d | %.0f |\n", $1, $1 * strip, $1 * strip / 168
       printf "| a fit | %d | %d | %.0f |\n", $2, $2 * total, $2 * total / 168 }'
 say
+say "A wheel on a contact table of $(stat -c %s "$out/table.bin") bytes in flash (\`table_lookup.c\`: S1002 on UIC60, yaw to 20 mrad, STRIP) takes these instructions and bytes of stack, in $(grep -vc '^#' "$out/table_lookup.txt") positions. The workspace has $(sed -n 's/^# table.* workspace \([0-9]*\) bytes$/\1/p' "$out/table_lookup.txt") bytes more."
+say
+say "| a lookup | fewest | median | most | painted stack [bytes] |"
+say "|---|---:|---:|---:|---:|"
+sed -n 's/^# \(.*\): \([0-9]*\) \([0-9]*\) \([0-9]*\) instructions, \([0-9]*\) bytes of stack$/| \1 | \2 | \3 | \4 | \5 |/p' "$out/table_lookup.txt"
+say
 say "For riscv32imac, with floating point by software, medians are of 100 inputs. Sizes: ${riscv_sizes:-$riscv_says}."
 if [ -n "${riscv_sizes:-}" ]; then
     say
@@ -97,6 +103,7 @@ say "| panics and allocators, Cortex-M7 | $m7_proof |"
 say "| panics and allocators, riscv32imac | $riscv_proof |"
 say "| double precision in single-precision functions | $doubles |"
 say "| self-test, $cases inputs, five models, mps2-an386 and mps2-an500 | bit for bit the results of this machine |"
+say "| a contact table in flash, mps2-an386 | $lookup_bits |"
 say "| self-test compiled for Cortex-M7 | $m7_bits |"
 say "| self-test on riscv32imac, floating point by software, QEMU's virt board | $riscv_says |"
 say "| CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\` | $cmake_says |"

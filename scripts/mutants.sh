@@ -35,7 +35,7 @@ parser.add_argument("--seed", type=int, default=1, metavar="S")
 given = parser.parse_args()
 copy, word = given.copy, given.word
 # Programs that notice most come first.
-PROGRAMS = ["golden wheel", "golden searches", "units", "golden bits", "models", "theory", "interface"]
+PROGRAMS = ["golden wheel", "golden searches", "units", "golden bits", "tables", "models", "theory", "interface"]
 TERM = r"[\w.:]+(?:\([^()]*\))?(?:\.\w+(?:\([^()]*\))?)*(?![\w(\[:.!<])"
 KINDS = [
     (re.compile(r"(?:\.(?:times|plus)|[FTP]::(?:constant|of))\(([^()]+)\)"), "({}) * 1.05 + 1e-3"),

@@ -6,13 +6,14 @@
 
 use super::axis::Around;
 use super::block::{ContactTable, Counts, MOST_PLACES, Quantity, Record, SQUARE_FLOOR};
+use crate::number::avx::with_avx;
 use crate::number::{Float, add, ascend, at};
 use crate::status::Error;
 use crate::wheel_rail::Position;
 use heapless::Vec;
 
-/// Largest number of nodes around a position.
-const AROUND: usize = 256;
+/// Largest number of nodes of roll, yaw and lateral position around a position: four on each axis.
+const AROUND: usize = 64;
 
 /// Numbers at successive places of the wheel.
 pub(super) type AtPlaces<F> = Vec<F, MOST_PLACES>;
@@ -98,23 +99,24 @@ impl<'a, F: Float> Blend<'a, F> {
         self.depth = (vertical - first).max(F::zero());
         // the fields are linear in the height
         let share = (vertical - low) / (high - low);
-        let mut nodes = Vec::<(Record, F), AROUND>::new();
-        for (part, weight) in &parts {
-            for (level, by) in [(near, F::one() - share), (near + 1, share)] {
-                let _ = nodes.push((table.record(part * levels + level), *weight * by));
-            }
-        }
-        self.add(table, &nodes);
+        let of_levels = [(near, F::one() - share), (near + 1, share)];
+        self.add(table, &parts, |(part, weight)| {
+            of_levels.map(|(level, by)| (table.record(part * levels + level), *weight * by))
+        });
         Ok(true)
     }
 
-    /// Adds the fields of nodes to none.
-    fn add(&mut self, table: &ContactTable, nodes: &[(Record, F)]) {
+    /// Adds the fields of nodes, each with its weight, to none: two levels of each of some parts.
+    fn add<P>(
+        &mut self, table: &ContactTable, parts: &[P], nodes: impl Fn(&P) -> [(Record, F); 2],
+    ) {
         let (mut from, mut to) = (table.counts.places, 0);
-        for (record, _) in nodes {
-            let first = record.first as usize;
-            from = from.min(first);
-            to = to.max((first + record.count as usize).min(table.counts.places));
+        for part in parts {
+            for (record, _) in nodes(part) {
+                let first = record.first as usize;
+                from = from.min(first);
+                to = to.max((first + record.count as usize).min(table.counts.places));
+            }
         }
         // two places more on both sides, for the bends there
         (from, to) = (from.saturating_sub(2), (to + 2).min(table.counts.places));
@@ -130,32 +132,49 @@ impl<'a, F: Float> Blend<'a, F> {
             let _ = pressure.push(-least_pressure);
             let _ = half_angle.push(F::zero());
         }
-        let number = |bytes: &[u8; 2]| F::widened(f32::from(i16::from_le_bytes(*bytes)));
-        for (record, weight) in nodes {
-            let ([squares, pressures], angles) = table.fields(record);
-            let first = (record.first as usize).saturating_sub(from);
-            let [length, peak, angle] = record.scales.map(|scale| F::widened(scale) * *weight);
-            let (more, higher) = (floor * *weight, least_pressure * *weight);
-            for (own, bytes) in square.iter_mut().skip(first).zip(squares) {
-                *own += number(bytes) * length + more;
-            }
-            for (own, bytes) in pressure.iter_mut().skip(first).zip(pressures) {
-                *own += number(bytes) * peak + higher;
-            }
-            let (Some(begin), Some(end)) = (angles.first(), angles.last()) else { continue };
-            // beyond its places a node has the angles of the first and of the last
-            let number = |byte: u8| F::widened(f32::from(i8::from_le_bytes([byte]))) * angle;
-            let (before, rest) = parted(half_angle, first);
-            let (inside, after) = parted(rest, angles.len());
-            for (own, byte) in inside.iter_mut().zip(angles) {
-                *own += number(*byte);
-            }
-            for (places, outer) in [(before, begin), (after, end)] {
-                let term = number(*outer);
-                places.iter_mut().for_each(|own| *own += term);
+        for part in parts {
+            for (record, weight) in nodes(part) {
+                let ([squares, pressures], angles) = table.fields(&record);
+                let first = (record.first as usize).saturating_sub(from);
+                let [length, peak, angle] = record.scales.map(|scale| F::widened(scale) * weight);
+                add_numbers(square, first, squares, [length, floor * weight]);
+                add_numbers(pressure, first, pressures, [peak, least_pressure * weight]);
+                add_angles(half_angle, first, angles, angle);
             }
         }
     }
+}
+
+/// Adds numbers of 16 bits times their scale, and one number more, to a list from a place on.
+fn add_numbers<F: Float>(list: &mut [F], first: usize, numbers: &[[u8; 2]], factors: [F; 2]) {
+    with_avx!(if F::LANES => <F: Float>(
+        list: &mut [F], first: usize, numbers: &[[u8; 2]], factors: [F; 2]
+    ) -> () {
+        let [scale, more] = factors;
+        for (own, bytes) in list.iter_mut().skip(first).zip(numbers) {
+            *own += F::widened(f32::from(i16::from_le_bytes(*bytes))) * scale + more;
+        }
+    });
+}
+
+/// Adds angles of 8 bits times their scale to a list from a place on; before them the first, and
+/// after them the last.
+fn add_angles<F: Float>(list: &mut [F], first: usize, angles: &[u8], scale: F) {
+    with_avx!(if F::LANES => <F: Float>(
+        list: &mut [F], first: usize, angles: &[u8], scale: F
+    ) -> () {
+        let number = |byte: u8| F::widened(f32::from(i8::from_le_bytes([byte]))) * scale;
+        let (Some(begin), Some(end)) = (angles.first(), angles.last()) else { return };
+        let (before, rest) = parted(list, first);
+        let (inside, after) = parted(rest, angles.len());
+        for (own, byte) in inside.iter_mut().zip(angles) {
+            *own += number(*byte);
+        }
+        for (places, outer) in [(before, begin), (after, end)] {
+            let term = number(*outer);
+            places.iter_mut().for_each(|own| *own += term);
+        }
+    });
 }
 
 /// The first numbers of a list, at most so many, and the others.

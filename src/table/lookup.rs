@@ -63,6 +63,18 @@ struct Covered<F> {
     zone: usize,
 }
 
+/// What the strips on a wheel have in common.
+struct Blended<F> {
+    zones: Overlaps<F>,
+    /// Number of places from one end of an interval to the other.
+    stride: usize,
+    /// Depth \[m\], and the derivative of the support \[N/m\].
+    indented: [F; 2],
+    /// Vertical support \[N\].
+    support: F,
+    warning: Warning,
+}
+
 /// The second difference of numbers at a place; zero at their ends.
 fn bend<F: Float>(list: &[F], k: usize, stride: usize) -> F {
     let beside = k.checked_sub(stride).zip(list.get(k + stride));
@@ -225,25 +237,40 @@ impl<F: Float> TableScene<'_, F> {
         self.place_checked(position, false, memory)
     }
 
+    /// Finds the strips at a position of a right wheel; none where nothing touches. The lists of the
+    /// blend leave the stack with it.
+    #[inline(never)]
+    fn strips_at(
+        &self, right: &Position<F>, is_beyond: bool, strips: &mut OnWheel<F>,
+    ) -> Result<Option<Blended<F>>, Error> {
+        let Self { table, pair, .. } = self;
+        let (mut square, mut pressure, mut half_angle) =
+            (AtPlaces::new(), AtPlaces::new(), AtPlaces::new());
+        let mut blend = Blend::in_lists([&mut square, &mut pressure, &mut half_angle]);
+        if !blend.find(table, right, is_beyond)? {
+            return Ok(None);
+        }
+        let (mut stride, mut warning) = (1, Warning::None);
+        let mut zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), strips);
+        while strips.len() > KSTRIP_PATCH_CAPACITY {
+            (stride, warning) = (2 * stride, Warning::Rough);
+            zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), strips);
+        }
+        let Blend { depth, stiffness, support, .. } = blend;
+        Ok(Some(Blended { zones, stride, indented: [depth, stiffness], support, warning }))
+    }
+
     fn place_checked(
         &self, position: &Position<F>, is_beyond: bool, memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
         let Self { table, pair, .. } = self;
         (memory.count, memory.gap.count) = (0, 0);
         let right = position.mirrored(pair.left != 0);
-        let (mut square, mut pressure, mut half_angle) =
-            (AtPlaces::new(), AtPlaces::new(), AtPlaces::new());
-        let mut blend = Blend::in_lists([&mut square, &mut pressure, &mut half_angle]);
-        if !blend.find(table, &right, is_beyond)? {
-            return Ok(Warning::None);
-        }
-        let (mut stride, mut warning) = (1, Warning::None);
         let mut own = OnWheel::new();
-        let mut zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), &mut own);
-        while own.len() > KSTRIP_PATCH_CAPACITY {
-            (stride, warning) = (2 * stride, Warning::Rough);
-            zones = blend.strips_on_wheel(table, (stride, pair.wheel_radius), &mut own);
-        }
+        let Some(blended) = self.strips_at(&right, is_beyond, &mut own)? else {
+            return Ok(Warning::None);
+        };
+        let Blended { zones, stride, indented, support: wanted, mut warning } = blended;
         let wheel = Wheel::new(pair.wheel_radius, &right);
         let mut places = Vec::new();
         add_places(table, &wheel, &own, (stride, pair.rail_speed), &mut places);
@@ -264,7 +291,6 @@ impl<F: Float> TableScene<'_, F> {
             for (strip, place) in inside.iter().zip(of_strips) {
                 strips.push(strip.of_patch(place));
             }
-            let indented = [blend.depth, blend.stiffness];
             contact.fill(pair, &right, strips, indented, |k, _| *of_strips.get(k).unwrap_or(first));
             contact.share = group.share.clamped(F::zero(), F::one());
             let [_, _, vertical, ..] = contact.normal;
@@ -275,7 +301,7 @@ impl<F: Float> TableScene<'_, F> {
             return Ok(Warning::None);
         }
         memory.count = written as u32;
-        let scale = (blend.support / support).min(F::of(MOST_SCALED));
+        let scale = (wanted / support).min(F::of(MOST_SCALED));
         for contact in memory.contacts.iter_mut().take(written) {
             contact.scale_pressure(scale, support);
             if contact.is_conformal() {
@@ -284,6 +310,7 @@ impl<F: Float> TableScene<'_, F> {
         }
         Ok(warning)
     }
+
     fn wrench_at(
         &self, state: &BodyState<F>, is_beyond: bool, memory: &mut Workspace<F>,
         by_velocity: Option<&mut WrenchDerivatives<F>>,

@@ -8,7 +8,7 @@
 //! the integral of pressure times sliding velocity over a strip, which a law of Archard needs, is
 //! the load times this slip.
 
-use super::curved::{End, Frames};
+use super::curved::{End, Frames, OwnFrames};
 use super::ends::{Law, Pressed, at_speed};
 use crate::forces::Model;
 use crate::motion::Rolling;
@@ -111,7 +111,9 @@ fn slid_strips<F: Float>(
     let (count, factor) = (contact.patch.count as usize, pressed.factor);
     let ends =
         pressed.each_end(rolling, rolling.speed_by_rolling, |view, creepage, is_turned| {
-            let own = end.own_creepages(view, creepage, &|k| frames.of_strip(k, is_turned));
+            let mut own = OwnFrames::new();
+            frames.add_strips(is_turned, &mut own);
+            let own = end.own_creepages(view, creepage, &own);
             let view = view.with_own_creepages(&own)?;
             let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];
             let sign = if is_turned { -F::one() } else { F::one() };

@@ -60,7 +60,9 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     let frames = Frames { contact, axes: contact.axes() };
     let mut ends = |ratio: F| {
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
-            end.creep(view, creepage, &|k| frames.of_strip(k, is_turned))
+            let mut own = OwnFrames::new();
+            frames.add_strips(is_turned, &mut own);
+            end.creep(view, creepage, &own)
         })
     };
     let [ahead, behind] = ends(rolling.speed_by_rolling)?;
@@ -106,6 +108,9 @@ pub(super) struct OwnFrame<F> {
     at_rest: [F; 3],
 }
 
+/// The frames of all strips, in the order of the patch that rolls.
+pub(super) type OwnFrames<F> = Vec<OwnFrame<F>, KSTRIP_PATCH_CAPACITY>;
+
 /// The frames of the strips of a contact.
 pub(super) struct Frames<'a, F> {
     pub(super) contact: &'a WheelContact<F>,
@@ -113,11 +118,19 @@ pub(super) struct Frames<'a, F> {
 }
 
 impl<F: Float> Frames<'_, F> {
-    /// The frame of a strip by its number, in a patch that may be turned by 180 degrees.
-    pub(super) fn of_strip(&self, number: usize, is_turned: bool) -> OwnFrame<F> {
+    /// Appends the frames of all strips of a patch that may be turned by 180 degrees.
+    pub(super) fn add_strips(&self, is_turned: bool, frames: &mut OwnFrames<F>) {
+        let count = self.contact.patch.count as usize;
+        for k in 0..count {
+            let own =
+                if is_turned { self.of_strip(count - 1 - k).turned() } else { self.of_strip(k) };
+            let _ = frames.push(own);
+        }
+    }
+
+    /// The frame of a strip by its number.
+    fn of_strip(&self, number: usize) -> OwnFrame<F> {
         let Self { contact, axes } = self;
-        let count = contact.patch.count as usize;
-        let number = if is_turned { count.saturating_sub(number + 1) } else { number };
         let of = |list: &[F]| at(list, number);
         let strip = contact.patch.strips.get(number).copied().unwrap_or_default();
         let [origin, ..] = contact.origin;
@@ -128,11 +141,10 @@ impl<F: Float> Frames<'_, F> {
         let per_size = F::one() / lean.squared().plus(1.0).sqrt();
         let wheel = [(sine - cosine * lean) * per_size, (cosine + sine * lean) * per_size];
         let rail_sine = (sine + cosine * lean) * per_size;
-        let own = OwnFrame {
+        OwnFrame {
             rows: axes.rows([x, y, z], [sine, cosine], wheel, &contact.over(x, z)),
             at_rest: [of(&contact.strip_rail_speed), F::zero(), rail_sine * contact.rail_rate],
-        };
-        if is_turned { own.turned() } else { own }
+        }
     }
 }
 
@@ -211,15 +223,14 @@ type Creepages<F> = Vec<Creepage<F>, KSTRIP_PATCH_CAPACITY>;
 impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     /// What the strips have besides the creepages of the patch where they are.
     pub(super) fn own_creepages(
-        &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
+        &self, view: &PatchView<F>, creepage: &Creepage<F>, frames: &[OwnFrame<F>],
     ) -> Creepages<F> {
         let per_speed = F::one() / self.speed;
         let mut own = Creepages::new();
-        for (k, place) in view.strips().iter().enumerate() {
-            let OwnFrame { rows, at_rest } = strip(k);
+        for (place, OwnFrame { rows, at_rest }) in view.strips().iter().zip(frames) {
             let patch = creepage_at(creepage, place.centre_x, place.y);
-            let [x, y, spin] = rows.map(|row| dot(&row, self.velocity));
-            let [slip_x, slip_y, spin_rate] = at_rest;
+            let [x, y, spin] = rows.each_ref().map(|row| dot(row, self.velocity));
+            let [slip_x, slip_y, spin_rate] = *at_rest;
             let _ = own.push(Creepage {
                 longitudinal: (x + slip_x) * per_speed - patch.longitudinal,
                 lateral: (y + slip_y) * per_speed - patch.lateral,
@@ -230,12 +241,12 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
     }
 
     fn creep(
-        &self, view: &PatchView<F>, creepage: &Creepage<F>, strip: &dyn Fn(usize) -> OwnFrame<F>,
+        &self, view: &PatchView<F>, creepage: &Creepage<F>, frames: &[OwnFrame<F>],
     ) -> Result<Creep<F>, Error> {
         let Self { speed, falling, model, .. } = *self;
         let (zero, one) = (F::zero(), F::one());
         let per_speed = one / speed;
-        let own = self.own_creepages(view, creepage, strip);
+        let own = self.own_creepages(view, creepage, frames);
         let strips = view.strips();
         let whole = |k: usize| {
             let (Some(strip), Some(own)) = (strips.get(k), own.get(k)) else { return [zero; 3] };
@@ -248,12 +259,12 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let by = SLOPES.then_some(By::Creepages);
         let found =
             each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
-                let OwnFrame { rows, .. } = strip(k);
+                let Some(OwnFrame { rows, .. }) = frames.get(k) else { return };
                 let (forces, power) = at;
                 sums.power += power.value;
-                add_scaled(&mut sums.wrench, combined(&rows, forces.map(|force| force.value)), one);
+                add_scaled(&mut sums.wrench, combined(rows, forces.map(|force| force.value)), one);
                 if SLOPES {
-                    sums.add_slopes(&rows, at, &whole(k), per_speed);
+                    sums.add_slopes(rows, at, &whole(k), per_speed);
                 }
             })?;
         let StripSums { wrench, power, by_velocity, .. } = sums;
@@ -265,13 +276,11 @@ impl<F: Float, const SLOPES: bool> End<'_, F, SLOPES> {
         let mut power_by_mismatch = zero;
         if view.mismatch() != zero {
             let by = Some(By::Mismatch);
-            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k,
-                                                                                 (
-                forces,
-                power,
-            )| {
+            each_strip::<_, SLOPES>(&view, creepage, falling, (model, by), &mut |k, at| {
+                let Some(OwnFrame { rows, .. }) = frames.get(k) else { return };
+                let (forces, power) = at;
                 let by = forces.map(|force| force.derivative(0));
-                add_scaled(&mut creep.by_mismatch, combined(&strip(k).rows, by), one);
+                add_scaled(&mut creep.by_mismatch, combined(rows, by), one);
                 power_by_mismatch += power.derivative(0);
             })?;
         }
