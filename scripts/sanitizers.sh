@@ -9,6 +9,8 @@
 # sanitizer=address.
 # * Threads: tests/c/threads.c under helgrind, and under ThreadSanitizer with the library built with
 #   -Z sanitizer=thread.
+# * Miri: each C function in both precisions, with random bytes as its arguments as the fuzzer calls
+#   it. Miri interprets, so that a function which needs more than a minute is stopped and counted.
 # Any report ends the script with an error. What is missing on the machine is SKIPPED by name. The last
 # line has the date and the commit.
 set -euo pipefail
@@ -144,5 +146,40 @@ C
         "$thread" ""
 else
     echo "SKIPPED: ThreadSanitizer: $(grep -m 1 error "$target/thread.log")"
+fi
+
+# The first byte chooses the function and its precision (tests/common/entries/mod.rs).
+if has python3 && cargo +nightly miri --version > /dev/null 2>&1; then
+    rm -rf "$target/inputs" && mkdir "$target/inputs"
+    python3 - "$target/inputs" <<'PY'
+import pathlib, random, sys
+for first in range(256):
+    folder = pathlib.Path(sys.argv[1], str(first))
+    folder.mkdir()
+    for seed in range(3):
+        rest = random.Random(1000 * seed + first)
+        (folder / str(seed)).write_bytes(bytes([first, *(rest.randrange(256) for _ in range(399))]))
+PY
+    # (what Miri does not know is assembly of libm)
+    miri() {
+        MIRIFLAGS=-Zmiri-disable-isolation CARGO_TARGET_DIR=$target/miri timeout "$1" \
+            cargo +nightly miri test --quiet --features libm/force-soft-floats --test interface \
+            inputs_of_a_fuzzer_replay > "$target/miri.log" 2>&1
+    }
+    miri 1200 || { tail -40 "$target/miri.log"; exit 1; }
+    functions=$(grep -ohE '\("[a-z_0-9]+", [a-z_0-9]+\)' tests/common/entries/*.rs | wc -l)
+    ended=0 stopped=0
+    for first in $(seq 0 $((functions - 1))) $(seq 128 $((127 + functions))); do
+        status=0
+        KSTRIP_FUZZ_REPLAY=$target/inputs/$first miri 60 || status=$?
+        case $status in
+        0) ended=$((ended + 1)) ;;
+        124) stopped=$((stopped + 1)) ;;
+        *) echo "miri: inputs $first:"; tail -40 "$target/miri.log"; exit 1 ;;
+        esac
+    done
+    echo "miri: $ended functions, no report; $stopped were stopped after a minute"
+else
+    echo "SKIPPED: Miri: rustup +nightly component add miri rust-src"
 fi
 echo "no report on $(date -u +%F) at $(git rev-parse --short HEAD 2> /dev/null || echo "an unknown commit")"
