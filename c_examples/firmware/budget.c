@@ -526,7 +526,7 @@ int main(void)
     of_contact("falling_friction.derivatives.TOTAL", falling);
     of_contact("motion.derivatives.TOTAL", in_motion);
     measure("estimate_friction", estimate, next_force, TRACED ? CASES : CASES / 10u + 1u);
-    measure("fit_friction.50", fit_friction, next_curve, TRACED ? 2u : CASES / 200u + 1u);
+    measure("fit_friction.50", fit_friction, next_curve, TRACED ? 2u : CASES / 1000u + 1u);
     of_contact("contact_from_hertz", hertz);
     of_contact("field.point.STRIP_1967", point_strip_1967);
     of_contact("field.point.STRIP", point_strip);
