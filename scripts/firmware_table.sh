@@ -75,7 +75,7 @@ if [ -n "${riscv_sizes:-}" ]; then
     say "| call on riscv32imac | fewest | median | most | painted stack [bytes] |"
     say "|---|---:|---:|---:|---:|"
     # (Not all: a page has at most 250 lines.)
-    awk '!/^#/ && $1 !~ /\.(4|8|64)$|^solve_|^prepared\.[LS]/ { printf "| %s | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5 }' "$out/budget.riscv.txt"
+    awk '!/^#/ && $1 !~ /\.(4|8|64)$|^solve_|^prepared\.[LS]|^strips|^field/ { printf "| %s | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5 }' "$out/budget.riscv.txt"
 fi
 say
 say "### What one function brings along"
