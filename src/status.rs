@@ -365,7 +365,7 @@ statuses! {
         KSTRIP_WARNING_SUPPORT Support = 25 gravity 5:
             "no ordinary contact supports the wheel: its support falls with depth, or its peak \
              pressure exceeds a twentieth of the shear modulus",
-            "friction may pull the wheel down: check velocity, friction and load";
+            "friction may pull the wheel down: check lateral position, velocity, friction and load";
         KSTRIP_WARNING_PROFILE_COARSE ProfileCoarse = 26 gravity 2:
             "a contact of a wheel is narrower than four point spacings of a profile, so that the \
              pressure depends on the shape between the points",

@@ -237,8 +237,8 @@ impl<F: Float> TableScene<'_, F> {
         self.place_checked(position, false, memory)
     }
 
-    /// Finds the strips at a position of a right wheel; none where nothing touches. The lists of the
-    /// blend leave the stack with it.
+    /// Finds the strips at a position of a right wheel; none where nothing touches. The lists of
+    /// the blend leave the stack with it.
     #[inline(never)]
     fn strips_at(
         &self, right: &Position<F>, is_beyond: bool, strips: &mut OnWheel<F>,

@@ -112,7 +112,7 @@ fn slid_strips<F: Float>(
     let ends =
         pressed.each_end(rolling, rolling.speed_by_rolling, |view, creepage, is_turned| {
             let mut own = OwnFrames::new();
-            frames.add_strips(is_turned, &mut own);
+            frames.add_frames(is_turned, &mut own);
             let own = end.own_creepages(view, creepage, &own);
             let view = view.with_own_creepages(&own)?;
             let mut slid = [SlidStrip::default(); KSTRIP_PATCH_CAPACITY];

@@ -61,7 +61,7 @@ pub(super) fn creep<F: Float, const SLOPES: bool>(
     let mut ends = |ratio: F| {
         pressed.each_end(rolling, ratio, |view, creepage, is_turned| {
             let mut own = OwnFrames::new();
-            frames.add_strips(is_turned, &mut own);
+            frames.add_frames(is_turned, &mut own);
             end.creep(view, creepage, &own)
         })
     };
@@ -119,7 +119,7 @@ pub(super) struct Frames<'a, F> {
 
 impl<F: Float> Frames<'_, F> {
     /// Appends the frames of all strips of a patch that may be turned by 180 degrees.
-    pub(super) fn add_strips(&self, is_turned: bool, frames: &mut OwnFrames<F>) {
+    pub(super) fn add_frames(&self, is_turned: bool, frames: &mut OwnFrames<F>) {
         let count = self.contact.patch.count as usize;
         for k in 0..count {
             let own =
