@@ -42,7 +42,7 @@ const POSES: usize = 500;
 /// Poses whose instructions are counted.
 const COUNTED: usize = 100;
 /// Rounds of all poses of which the shortest gives the time.
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 40;
 /// The place of the wheel's profile in a wheelset that is not shifted [m].
 const OFFSET: f64 = 10.5325e-3;
 const SPEED: f64 = 20.0;
