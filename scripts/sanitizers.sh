@@ -160,7 +160,7 @@ for first in range(256):
         rest = random.Random(1000 * seed + first)
         (folder / str(seed)).write_bytes(bytes([first, *(rest.randrange(256) for _ in range(399))]))
 PY
-    # (what Miri does not know is assembly of libm)
+    # Miri does not know the assembly of libm, which a feature of libm replaces.
     miri() {
         MIRIFLAGS=-Zmiri-disable-isolation CARGO_TARGET_DIR=$target/miri timeout "$1" \
             cargo +nightly miri test --quiet --features libm/force-soft-floats --test interface \
