@@ -1350,7 +1350,8 @@ typedef struct kstrip_profile_contact {
     /** Coefficient of friction of every strip [-], >= 0, else KSTRIP_ERROR_FRICTION. */
     double friction;
     /**
-     * About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16;
+     * About how many strips all zones have together: 4, 8, 16, 32 or 64, of which 40 are given,
+     * on a microcontroller 16; 0: 16;
      * else KSTRIP_ERROR_STRIP_COUNT.
      */
     int32_t strips;

@@ -239,7 +239,8 @@ pub struct ProfileOptions<F> {
     pub poisson_ratio: F,
     /// Coefficient of friction of every strip [-], >= 0, else KSTRIP_ERROR_FRICTION.
     pub friction: F,
-    /// About how many strips all zones have together: 4, 8, 16, 32 or 64 (which gives 40); 0: 16;
+    /// About how many strips all zones have together: 4, 8, 16, 32 or 64, of which 40 are given,
+    /// on a microcontroller 16; 0: 16;
     /// else KSTRIP_ERROR_STRIP_COUNT.
     pub strips: i32,
     /// Reserved: zero.

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use heapless::Vec;
 
 /// Largest number of cells of the normal problem. On a microcontroller there are fewer, so that
-/// patches asked for with 32 and 64 strips have fewer.
+/// a patch has 16 strips at most.
 pub const CELLS: usize = if cfg!(target_os = "none") { 20 } else { 48 };
 
 /// `c` over the width.

@@ -234,8 +234,8 @@ fn press_and_correct<F: Float, const N: usize, const STORED: usize>(
 }
 
 impl<F: Float> Patch<F> {
-    /// The patch of two profiles in contact, in about `count` strips, 40 at most, and one more for
-    /// each further zone.
+    /// The patch of two profiles in contact, in about `count` strips, 40 at most, 16 on a
+    /// microcontroller, and one more for each further zone.
     ///
     /// # Errors
     /// Those of [`ProfileContact::check`]; [`Error::Overflow`].
