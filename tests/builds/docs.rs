@@ -757,7 +757,8 @@ fn rounding_in_brief_is_that_of_the_page() {
         all.fold(0.0, f64::max)
     };
     let text = format!(
-        "pressures within {:.0} in f64 and {:.0} in f32, approach and stiffness within {:.0}.",
+        "errors of pressures are within {:.0} in f64 and {:.0} in f32. Those of approach and \
+         stiffness are within {:.0}.",
         worst(&[5]),
         worst(&[9]),
         worst(&[2, 3, 6, 7]).ceil()
