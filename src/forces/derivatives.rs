@@ -224,8 +224,8 @@ fn through_shift<F: Float>(
     let [by_x, by_y, by_spin, by_mismatch] = shift.gradient;
     let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
     // N ∂Δ/∂N = Δ − (∂Δ/∂c) c,  through Hertz ⅓ (Δ − (∂Δ/∂v) v),  μ ∂Δ/∂μ = N ∂Δ/∂N − κ ∂Δ/∂κ
-    let by_load = shift.value - (translation + by_spin * creepage.spin);
-    let through_hertz = (shift.value - translation).times(1.0 / 3.0);
+    let along = translation + by_spin * creepage.spin;
+    let [by_load, through_hertz] = by_size(shift.value, 1.0 / 3.0, along, translation);
     let by_friction = by_load - by_mismatch;
     let columns = [
         (&mut derivatives.normal_force, by_load, contact.normal_force),
@@ -255,8 +255,18 @@ pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
 }
 
 /// Exponents of `N` with which forces and moment grow where the slip does not change.
-fn powers<F: Real>() -> [F; 3] {
-    [F::one(), F::one(), F::constant(4.0 / 3.0)]
+pub(crate) const POWERS: [f64; 3] = [1.0, 1.0, 4.0 / 3.0];
+
+/// `∂F/∂M`, and `dF/dN` through Hertz over `μ`, of a force `F = M f` with an exponent `p`:
+///
+/// ```text
+/// f − (∂f/∂c) c,   p f − ⅓ (∂f/∂v) v
+/// ```
+///
+/// The last two arguments are `(∂f/∂c) c` and `(∂f/∂v) v`.
+#[inline(always)]
+pub(crate) fn by_size<F: Real>(f: F, power: f64, along: F, translation: F) -> [F; 2] {
+    [f - along, f.times(power) - translation.times(1.0 / 3.0)]
 }
 
 #[inline(always)]
@@ -271,16 +281,14 @@ fn saturating<F: Real, M: Theory<F>>(
     let forces = frame.in_newtons(Totals { fx: of_x, fy: of_y, mz: of_z, stick });
 
     let Creepage { longitudinal, lateral, spin } = *creepage;
-    let [by_x, by_y, by_z] = powers::<F>();
+    let [by_x, by_y, by_z] = POWERS;
     let rows = [(fx, F::one(), by_x), (fy, F::one(), by_y), (mz, *radius, by_z)];
-    let translation = |g: &[F; 3]| g[0] * longitudinal + g[1] * lateral;
-    // f − (∂f/∂c) c
-    let euler = rows
-        .map(|(f, unit, _)| unit * (f.value - (translation(&f.gradient) + f.gradient[2] * spin)));
-    // F: f − ⅓ (∂f/∂v) v,  M_z: (4/3) f − ⅓ (∂f/∂v) v
-    let hertz = rows.map(|(f, unit, power)| {
-        unit * (power * f.value - translation(&f.gradient).times(1.0 / 3.0))
+    let sizes = rows.map(|(f, unit, power)| {
+        let [x, y, z] = f.gradient;
+        let translation = x * longitudinal + y * lateral;
+        by_size(f.value, power, translation + z * spin, translation).map(|slope| unit * slope)
     });
+    let [euler, hertz] = [sizes.map(|[euler, _]| euler), sizes.map(|[_, hertz]| hertz)];
     let derivatives = Derivatives {
         jacobian: rows.map(|(f, unit, _)| f.gradient.map(|slope| slope * (bound * unit))),
         normal_force: scaled(euler, contact.friction),
@@ -298,8 +306,8 @@ fn without_friction<F: Float, M: Theory<F>>(
     let parameters = Parameters::sliding(contact, creepage);
     let Totals { fx, fy, mz, .. } = theory.model_totals(frame, &parameters);
     let limit = [fx, fy, mz * *radius];
-    let [by_x, by_y, by_z] = powers::<F>();
-    let hertz = [fx * by_x, fy * by_y, mz * *radius * by_z];
+    let mut hertz = limit;
+    hertz.iter_mut().zip(POWERS).for_each(|(of, power)| *of = of.times(power));
     Derivatives {
         jacobian: [[F::zero(); 3]; 3],
         normal_force: scaled(limit, contact.friction),
@@ -317,10 +325,10 @@ fn linear_with_slopes<F: Real>(
     let none = F::zero();
     let jacobian = [[*x, none, none], [none, *y, *coupling], [none, -*coupling, *z]];
     let mut hertz = [forces.fx, forces.fy, forces.mz];
-    for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(powers::<F>()).zip(jacobian) {
-        // (power F − ⅓ J_v v)/N
+    for ((force, power), [by_x, by_y, _]) in hertz.iter_mut().zip(POWERS).zip(jacobian) {
         let translation = by_x * creepage.longitudinal + by_y * creepage.lateral;
-        *force = (power * *force - translation.times(1.0 / 3.0)) / frame.contact.normal_force;
+        let [_, through_hertz] = by_size(*force, power, none, translation);
+        *force = through_hertz / frame.contact.normal_force;
     }
     let none = [none; 3];
     Derivatives { jacobian, normal_force: none, load_through_hertz: hertz, friction: none }

@@ -7,7 +7,9 @@
 
 use crate::contact::Contact;
 use crate::contact::creepage::Creepage;
-use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, solve_with_slopes, transposed};
+use crate::forces::derivatives::{
+    Derivatives, Sensitivity, Slopes, by_size, solve_with_slopes, transposed,
+};
 use crate::forces::options::{Model, Options, Solution};
 use crate::friction::layered::{InterfaceSlopes, ThroughLayer};
 use crate::friction::{InMotion, SlipFriction};
@@ -53,11 +55,7 @@ pub(crate) struct AtFriction<F: Float> {
 }
 
 impl<F: Float> AtFriction<F> {
-    /// The derivatives through `μ = g(s)`, `s = P/(μ N)`, by the implicit function theorem:
-    ///
-    /// ```text
-    /// dF/dp = ∂F/∂p + ∂F/∂μ dμ/dp,   dμ/dp = (∂g/∂p + g' ∂s/∂p)/(1 − g' ∂s/∂μ)
-    /// ```
+    /// The derivatives through `μ = g(s)`, `s = P/(μ N)`:  `dF/dp = ∂F/∂p + ∂F/∂μ dμ/dp`.
     ///
     /// The last of them are `κ dF/dκ`. As `F = M f(c/M, κ/μ)`, the power is
     /// `P = M² p(c/M, κ/μ)/(G a b)`, which gives the change of the slip:
@@ -79,26 +77,25 @@ impl<F: Float> AtFriction<F> {
         let slip = if carries { power / bound } else { seen.power(by_friction) / load };
         // (what rounding leaves of a power of zero may be below zero, and is no slip)
         let slip = slip.max(F::zero());
-        let by = law.slopes(slip);
-        let moves = falls && slip > F::zero() && carries;
-        let rate = if moves { by.slip } else { F::zero() };
         let [slip_by_load, mut slip_through_hertz, slip_by_mismatch] = self.slip_by_size();
         let by_size = slip_by_load - slip_by_mismatch;
         let slip_by_friction = if carries { by_size / friction } else { F::zero() };
-        let feedback = F::one() / (F::one() - rate * slip_by_friction);
-        let shifted = |fixed: &[F; 3], friction_by: F| {
-            let change = friction_by * feedback;
+        let by = law.slopes(slip, falls && carries, slip_by_friction);
+        let (zero, none) = (F::zero(), [F::zero(); 3]);
+        let shifted = |fixed: &[F; 3], direct: F, slip: F| {
+            let change = by.along(direct, slip);
             let mut total = *fixed;
             add(&mut total, by_friction.map(|slope| slope * change));
             total
         };
+        let through_slip = |fixed: &[F; 3], slip: F| shifted(fixed, zero, slip);
+        let directly = |direct: F| shifted(&none, direct, zero);
         let mut columns = transposed(derivatives.jacobian);
         for (column, power_by) in columns.iter_mut().zip(power_by_creepage) {
-            *column = shifted(column, rate * self.over_bound(*power_by));
+            *column = through_slip(column, self.over_bound(*power_by));
         }
         let stiffness = law.slope_or_one();
         let by_stiffness = self.by_stiffness().map(|force| force / stiffness);
-        let none = [F::zero(); 3];
         let (mut by_slide, mut by_layer) = (none, none);
         if let Some(interface) = of_interface {
             let [of_layer, of_slide] = [&interface.by_layer, &interface.by_slide];
@@ -106,25 +103,25 @@ impl<F: Float> AtFriction<F> {
                 [of_layer.power, of_slide.power].map(|power| self.over_bound(power));
             // λ ~ N^{−1/3} through Hertz
             slip_through_hertz -= (interface.layer * layer_power).times(1.0 / 3.0);
-            by_layer = shifted(&of_layer.forces, rate * layer_power);
-            by_slide = shifted(&of_slide.forces, rate * slide_power);
+            by_layer = through_slip(&of_layer.forces, layer_power);
+            by_slide = through_slip(&of_slide.forces, slide_power);
         }
         let Derivatives { normal_force, load_through_hertz, .. } = derivatives;
         let through = Derivatives {
             jacobian: transposed(columns),
-            normal_force: shifted(normal_force, rate * (slip_by_load / load)),
-            load_through_hertz: shifted(load_through_hertz, rate * (slip_through_hertz / load)),
-            friction: shifted(&none, by.friction),
+            normal_force: through_slip(normal_force, slip_by_load / load),
+            load_through_hertz: through_slip(load_through_hertz, slip_through_hertz / load),
+            friction: directly(by.friction),
         };
         let law = LawDerivatives {
-            ratio: shifted(&none, by.ratio),
-            decay: shifted(&none, by.decay),
-            rolling_speed: shifted(&none, by.rolling_speed),
-            slope_factor: shifted(&by_stiffness, -(rate * (by_size / stiffness))),
+            ratio: directly(by.ratio),
+            decay: directly(by.decay),
+            rolling_speed: directly(by.rolling_speed),
+            slope_factor: through_slip(&by_stiffness, -(by_size / stiffness)),
             slide_factor: by_slide,
             layer: by_layer,
         };
-        (through, law, shifted(&by_mismatch.forces, rate * slip_by_mismatch))
+        (through, law, through_slip(&by_mismatch.forces, slip_by_mismatch))
     }
 
     /// `N ∂s/∂N`, the same through Hertz but for a layer, and `κ ∂s/∂κ`.
@@ -135,8 +132,8 @@ impl<F: Float> AtFriction<F> {
         let translation =
             power_by_x * motion.longitudinal + power_by_y * motion.lateral + translation.power;
         let all = motion.power(*power_by_creepage) + all.power;
-        [*power - all, (*power - translation).times(1.0 / 3.0), by_mismatch.power]
-            .map(|power| self.over_bound(power))
+        let [by_load, through_hertz] = by_size(*power, 1.0 / 3.0, all, translation);
+        [by_load, through_hertz, by_mismatch.power].map(|power| self.over_bound(power))
     }
 
     /// `F = M f(k c/M, k κ/μ)`:  `k ∂F/∂k = (∂F/∂c) c + κ ∂F/∂κ`

@@ -36,13 +36,28 @@ pub struct SlipFriction<F> {
     pub layer: F,
 }
 
-/// Derivatives of the law at constant slip, and with respect to the slip.
+/// How friction `μ = g(s)` follows all that it depends on, by the implicit function theorem:
+///
+/// ```text
+/// dμ/dp = (∂g/∂p + g' ∂s/∂p)/(1 − g' ∂s/∂μ)
+/// ```
 pub(crate) struct FrictionSlopes<F> {
+    /// `∂g/∂p` at constant slip, for each parameter of the law.
     pub(crate) friction: F,
     pub(crate) ratio: F,
     pub(crate) decay: F,
     pub(crate) rolling_speed: F,
-    pub(crate) slip: F,
+    /// `g'`
+    slip: F,
+    /// `1/(1 − g' ∂s/∂μ)`
+    pub(crate) feedback: F,
+}
+
+impl<F: Float> FrictionSlopes<F> {
+    /// `dμ/dp` from `∂g/∂p` and `∂s/∂p`.
+    pub(crate) fn along(&self, direct: F, slip: F) -> F {
+        (direct + self.slip * slip) * self.feedback
+    }
 }
 
 impl<F: Float> SlipFriction<F> {
@@ -93,19 +108,23 @@ impl<F: Float> SlipFriction<F> {
         Self { friction, ratio: F::one(), ..Self::default() }
     }
 
-    /// The derivatives of `μ = μ₀ ((1 − A) exp(−B V s) + A)`.
-    pub(crate) fn slopes(&self, slip: F) -> FrictionSlopes<F> {
+    /// The derivatives of `μ = μ₀ ((1 − A) exp(−B V s) + A)` at a slip, from `∂s/∂μ`; without
+    /// `moves` friction does not follow the slip.
+    pub(crate) fn slopes(&self, slip: F, moves: bool, slip_by_friction: F) -> FrictionSlopes<F> {
         let Self { friction, decay, rolling_speed, .. } = *self;
         // (1 − A) exp(−B V s), and without the factor
         let share = self.falling_share(slip);
         let whole = Self { ratio: F::zero(), ..*self }.falling_share(slip);
         let falling = -(friction * share);
+        let moves = moves && slip > F::zero();
+        let by_slip = if moves { falling * rolling_speed * decay } else { F::zero() };
         FrictionSlopes {
             friction: share + self.ratio,
             ratio: friction * (F::one() - whole),
             decay: falling * rolling_speed * slip,
             rolling_speed: falling * decay * slip,
-            slip: falling * rolling_speed * decay,
+            slip: by_slip,
+            feedback: F::one() / (F::one() - by_slip * slip_by_friction),
         }
     }
 

@@ -12,7 +12,7 @@ use crate::contact::creepage::{Creepage, Parameters};
 use crate::contact::totals::Totals;
 use crate::forces::check::find_fault;
 use crate::forces::derivatives::{
-    Derivatives, Sensitivity, Slopes, differentiated_by, scaled, transposed,
+    Derivatives, POWERS, Sensitivity, Slopes, by_size, differentiated_by, scaled, transposed,
 };
 use crate::forces::options::{Model, Options, Solution};
 use crate::forces::theory::{Forces, ScaledContact, Theory, by_model, solution_by};
@@ -292,13 +292,15 @@ fn unscaled<F: Float>(
     let [by_x, by_y, by_spin, by_layer, by_slide] = [0, 1, 2, 3, 4].map(column);
     let jacobian = transposed([by_x, by_y, by_spin]);
     let translation = |f: &Variable<F>| f.derivative(0) * longitudinal + f.derivative(1) * lateral;
-    // f − (∂f/∂c) c;  F: f − ⅓ (∂f/∂v) v − ⅓ λ ∂f/∂λ,  M_z: (4/3) f − ..
-    let euler = rows.map(|(f, unit)| unit * (f.value - (translation(&f) + f.derivative(2) * spin)));
-    let mut hertz = rows.map(|(f, unit)| {
-        let layer = f.derivative(3) * layer;
-        unit * (f.value - (translation(&f) + layer).times(1.0 / 3.0))
-    });
-    hertz[2] += mz.times(1.0 / 3.0) / bound;
+    let [mut euler, mut hertz] = [[F::zero(); 3]; 2];
+    for (((f, unit), power), (euler, hertz)) in
+        rows.iter().zip(POWERS).zip(euler.iter_mut().zip(&mut hertz))
+    {
+        let along = translation(f) + f.derivative(2) * spin;
+        // λ falls with the load as the translation in f does
+        let with_layer = translation(f) + f.derivative(3) * layer;
+        [*euler, *hertz] = by_size(f.value, power, along, with_layer).map(|slope| *unit * slope);
+    }
     let derivatives = if is_linear {
         let none = [F::zero(); 3];
         let load_through_hertz = hertz.map(|entry| entry / contact.normal_force);

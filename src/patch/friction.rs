@@ -21,13 +21,13 @@
 
 use crate::contact::creepage::Creepage;
 use crate::contact::plausibility::LARGEST_MISMATCH;
-use crate::forces::derivatives::{Derivatives, Sensitivity, Slopes, scaled};
+use crate::forces::derivatives::{Derivatives, POWERS, Sensitivity, Slopes, by_size, scaled};
 use crate::forces::{Model, Solution, StripResult};
 use crate::friction::derivatives::{AtFriction, Differentiated, LawDerivatives, OwnSensitivities};
 use crate::friction::layered::InterfaceSlopes;
 use crate::friction::{FrictionEquation, FrictionSolution, SlipFriction};
 use crate::layer::Interface;
-use crate::number::{Float, are_finite};
+use crate::number::{Float, are_finite, at, set_at};
 use crate::patch::PatchView;
 use crate::patch::solver::{self, Problem};
 use crate::status::{Error, Warning};
@@ -226,33 +226,24 @@ pub fn differentiate_patch<F: Float>(
 /// friction, a load, and the mean friction without slip.
 fn size_derivatives<F: Float>(
     found: &Solution<F>, slopes: &Slopes<F>, interface: &InterfaceSlopes<F>,
-    [own, moved]: &OwnSensitivities<F>, [share, load, mean]: [F; 3], at: &Creepage<F>,
+    [own, moved]: &OwnSensitivities<F>, [share, load, mean]: [F; 3], at_scaled: &Creepage<F>,
 ) -> Derivatives<F> {
-    // N ∂F/∂N = λ (f − J k c/λ), μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ, through Hertz N dF/dN = F − ⅓ J_v
-    // v, N dM_z/dN = (4/3) M_z − ⅓ J_v v
-    let [layer_x, layer_y, layer_z] = scaled(interface.by_layer.forces, interface.layer);
-    let others =
-        |force: F, [x, y, z]: [F; 3], [own, moved]: [F; 2], by_others: [F; 2], power: f64| {
-            let [by_mismatch, by_layer] = by_others;
-            let translation = x * at.longitudinal + y * at.lateral;
-            let rest = force - translation - z * at.spin - own;
-            let hertz = force.times(power) - (translation + moved + by_layer).times(1.0 / 3.0);
-            [share * rest / load, share * hertz / load, (rest - by_mismatch) / mean]
-        };
-    let [x, y, z] = slopes.derivatives.jacobian;
-    let [by_x, by_y, by_z] = slopes.by_mismatch.forces;
-    let ([ox, oy, oz], [tx, ty, tz]) = (own.forces, moved.forces);
-    let [[nx, hx, mx], [ny, hy, my], [nz, hz, mz]] = [
-        others(found.fx, x, [ox, tx], [by_x, layer_x], 1.0),
-        others(found.fy, y, [oy, ty], [by_y, layer_y], 1.0),
-        others(found.mz, z, [oz, tz], [by_z, layer_z], 4.0 / 3.0),
-    ];
-    Derivatives {
-        normal_force: [nx, ny, nz],
-        load_through_hertz: [hx, hy, hz],
-        friction: [mx, my, mz],
-        ..Derivatives::default()
+    // in f creepages are k c/λ;  μ ∂F/∂μ = N ∂F/∂N − λ κ ∂f/∂κ
+    let mut found_by = Derivatives::default();
+    let Derivatives { normal_force, load_through_hertz, friction, .. } = &mut found_by;
+    let by_layer = scaled(interface.by_layer.forces, interface.layer);
+    let rows = slopes.derivatives.jacobian.into_iter().zip(found.components()).zip(POWERS);
+    for (k, (([x, y, z], force), power)) in rows.enumerate() {
+        let of = |list: &[F; 3]| at(list, k);
+        let translation = x * at_scaled.longitudinal + y * at_scaled.lateral;
+        let along = translation + z * at_scaled.spin + of(&own.forces);
+        let moved = translation + of(&moved.forces) + of(&by_layer);
+        let [rest, hertz] = by_size(force, power, along, moved);
+        set_at(normal_force, k, share * rest / load);
+        set_at(load_through_hertz, k, share * hertz / load);
+        set_at(friction, k, (rest - of(&slopes.by_mismatch.forces)) / mean);
     }
+    found_by
 }
 
 /// Passes every strip of the solution at a share `λ` of friction to `visit`, as

@@ -295,7 +295,7 @@ impl<F: Float> Creep<F> {
         &mut self, sums: &StripSums<F>, found: &Visited<F>, power_by_mismatch: F, per_speed: F,
     ) {
         let StripSums { wrench, power, power_by_velocity, along, power_along, .. } = *sums;
-        let (zero, one) = (F::zero(), F::one());
+        let zero = F::zero();
         // λ ∂Q/∂λ and λ ∂P/∂λ; the derivatives at constant λ
         let mut by_share = wrench;
         for ((share, along), (speed, mismatch)) in
@@ -305,23 +305,21 @@ impl<F: Float> Creep<F> {
             *speed = -(along * per_speed);
         }
         let power_by_share = power.times(2.0) - power_along - power_by_mismatch;
-        // dλ = (g' dP/(λ Σ μ₀ N) + ∂g/∂V dV)/(1 − g' ∂s/∂λ)
+        // λ = g(s, V),  s = P/(λ Σ μ₀ N)
         let bound = found.share * found.bound;
         let slip = if bound > zero { (power / bound).max(zero) } else { zero };
-        let by = found.law.slopes(slip);
-        let moves = found.falls && slip > zero;
-        let rate = if moves { by.slip } else { zero };
         let over_bound = |power: F| if bound > zero { power / bound } else { zero };
         let of_share = (over_bound(power_by_share) - slip) / found.share;
-        let feedback = one / (one - rate * of_share);
-        let through = |power: F| feedback * rate * over_bound(power) / found.share;
+        let friction = found.law.slopes(slip, found.falls, of_share);
+        let through = |power: F| friction.along(zero, over_bound(power)) / found.share;
         for (row, share) in self.by_velocity.iter_mut().zip(by_share) {
             add_scaled(row, power_by_velocity.map(through), share);
         }
-        let at_speed = if found.falls { by.rolling_speed * feedback / found.share } else { zero };
-        let by_speed = at_speed + through(-(power_along * per_speed));
+        let at_speed = if found.falls { friction.rolling_speed } else { zero };
+        let by_slip = over_bound(-(power_along * per_speed));
+        let by_speed = friction.along(at_speed, by_slip) / found.share;
         add_scaled(&mut self.by_speed, by_share, by_speed);
         add_scaled(&mut self.by_mismatch, by_share, through(power_by_mismatch));
-        self.by_friction = by_share.map(|share| share * feedback);
+        self.by_friction = by_share.map(|share| share * friction.feedback);
     }
 }
