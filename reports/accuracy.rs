@@ -247,7 +247,7 @@ impl Report {
     fn all_methods(&mut self) {
         self.line("\n## All methods, all cases\n");
         self.line(
-            "`open.csv` has 854 cases with ν = 0.28, a/b from 0.1 to 10 and |ψ| up to 3. \
+            "The 854 cases of `open.csv` have ν = 0.28, a/b 0.1 to 10 and |ψ| up to 3. \
              Forces are in μ N, moments in μ N √(ab). The stick area is a share of the \
              contact area. The sign – means that the method has no such result.\n",
         );
@@ -406,7 +406,7 @@ impl Report {
         self.line(
             "`open_slender.csv` has 140 cases beyond the axis ratios of `open.csv`. No fit uses \
              them. ν is 0 to 0.5. The table has mean / 95th percentile / max of the force, and \
-             mean / max of the moment in μ N √(ab). FASTSIM and FaStrip get the linear \
+             mean / max of the moment in μ N √(ab). FASTSIM and FaStrip use the linear \
              coefficients of the library. STRIP and TOTAL return a warning below 0.015 and above \
              60.\n",
         );
@@ -414,12 +414,12 @@ impl Report {
     }
 
     fn turning(&mut self) {
-        self.line("\n## Large creepage that spin turns around\n");
+        self.line("\n## Large creepage balanced by spin\n");
         self.line(
-            "`boundary_elements.csv` has 576 cases of 24 contacts, with linear forces to 100 \
-             and ψ to 5. In half of them the creepage balances the spin somewhere in the \
-             contact. They were computed by boundary elements of this project \
-             (`fit/boundary_elements.py`). No fit uses them.\n",
+            "`boundary_elements.csv` has 576 cases of 24 contacts, with linear forces ≤ 100 and ψ \
+             ≤ 5. In half of them the creepage balances the spin somewhere in the contact. They \
+             were computed by boundary elements of this project (`fit/boundary_elements.py`). No \
+             fit uses them.\n",
         );
         self.by_axis_ratio(&turning(), &[0.015, 0.12, 7.0, 20.0, 60.1]);
     }
@@ -456,7 +456,7 @@ impl Report {
         self.line("\n## Dissimilar materials\n");
         self.line(
             "`kappa.csv` has 170 pairs of results of CONTACT, with and without the mismatch `κ` of \
-             the materials. The error is the error of the difference that `κ` makes to the force, \
+             the materials. Errors are of the force change due to `κ`, \
              `|(f − f₀) − (f − f₀)_ref|` in μ N. The table has mean / 95th percentile / max. \
              Ordinary pairs have `|κ|` up to 0.13 and μ from 0.3 on, such as steel on aluminium, \
              cast iron or bronze. FASTSIM, FaStrip and STRIP_1967 have no `κ`. Their errors are in \
@@ -610,11 +610,10 @@ impl Report {
     fn coefficients(&mut self) {
         self.line("\n## Linear coefficients\n");
         self.line(
-            "The table has the coefficients of the library divided by the coefficients of \
-             CONTACT, minus one, in per cent, for four values of ν. The error of the \
-             reference is about 0.3 %, for `C33` at a/b ≥ 5 about 1 %. LINEAR uses these \
-             coefficients as they are. STRIP and TOTAL have them as their derivatives at \
-             zero.\n",
+            "The table has the coefficients of the library divided by the coefficients of CONTACT, \
+             minus one, in per cent, for four values of ν. The reference's error is about 0.3 %, \
+             or about 1 % for `C33` at a/b ≥ 5. LINEAR uses these coefficients as they are. STRIP \
+             and TOTAL have them as their derivatives at zero.\n",
         );
         self.header(&["a/b", "C11", "C22", "C23", "C33"]);
         let cases = coefficient_cases();

@@ -108,7 +108,7 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.line(
         "CONTACT solved the normal and the tangential problem of 30 profiles on elastic \
          half-spaces (`tests/data/patches`), with nine creepages each. Profiles of the family \
-         `hertz` are parabolas, for control. The patches have 16 strips and the default \
+         `hertz` are parabolas, as controls. The patches have 16 strips and the default \
          smoothing.\n",
     );
     report.header(&["quantity", "value"]);
@@ -117,11 +117,11 @@ fn profile_tables(report: &mut Report, list: &[Compared]) {
     report.row(["friction", "0.3"]);
     report.row(["length of the patches divided by their width", "0.6 to 4.7"]);
     report.line(
-        "\nErrors of area, peak pressure and approach are in %, mean / largest. Errors of the \
-         force are in units of `μ N`. Errors of the moment are in units of `μ N c` with `c = \
-         √(area/π)`. Both are mean / 95th percentile / largest. One column has STRIP on \
-         CONTACT's own outline and loads. Its errors are nearly as large, so that nearly all \
-         of the error comes from the tangential model.\n",
+        "\nErrors of area, peak pressure and approach are mean / largest in %. Errors of the force \
+         are in units of `μ N`. Errors of the moment are in units of `μ N c` with `c = √(area/π)`. \
+         Both are mean / 95th percentile / largest. One column has the errors of STRIP on \
+         CONTACT's own outline and loads. They are nearly as large, so nearly all error comes from \
+         the tangential model.\n",
     );
     report.header(&[
         "family",
@@ -254,7 +254,7 @@ fn noise_table(report: &mut Report, list: &[Compared]) {
 /// Largest change of force and approach between loads that differ by a tenth of a thousandth, while
 /// zones merge.
 fn merging_table(report: &mut Report) {
-    report.line("\n## Zones that merge\n");
+    report.line("\n## Regions that merge\n");
     report.line(
         "A profile with two local minima 9 mm apart, `h = H ((y/4.5 mm)² − 1)²`, is pressed \
          with a growing load. Two zones grow, touch and become one. The table has the largest \
@@ -686,7 +686,7 @@ fn main() {
     report.line("## Light contact, zones that appear, profiles that move\n");
     report.line(
         "The left plot has the load of a light contact of a parabola, divided by the power \
-         3/2 of its approach. It is constant from 1e-12 m on. In the middle plot a second \
+         3/2 of its approach. The quotient is constant from 1e-12 m. In the middle plot a second \
          zone appears while two bodies approach, and the load has no step. In the right plot \
          a profile with two local minima moves sideways at 80 kN, and the force has no step.\n",
     );

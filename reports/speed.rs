@@ -185,8 +185,8 @@ impl Report {
         self.line("Written by `cargo bench --bench speed` in one run; do not edit.\n");
         self.line("![Error against cost](speed-vs-error.svg)\n");
         self.line(
-            "The picture plots the error against the time of one contact, for every model and \
-             every other method but FASTSIM in ten lanes. The best methods are at the lower left. \
+            "The picture plots the error against the time of one contact, for all models and \
+             methods except FASTSIM in ten SIMD lanes. The best methods are at the lower left. \
              Times depend on the processor, and so do ratios of times. In the first table the \
              ratios differ by up to two fifths between processors. [Counts of \
              instructions](instructions.md) do not depend on the processor.\n",
@@ -195,7 +195,7 @@ impl Report {
         self.line("\n## How it was measured\n");
         self.line(format!("* Machine: {machine}."));
         self.line(format!(
-            "* Times are nanoseconds of a contact, as processor time of the thread. Each is \
+            "* Times are processor time of the thread in nanoseconds per contact. Each is \
              the median of {ROUNDS} rounds in which all rows take turns. Other programs are \
              not counted, but they share caches and clock rate. Ratios of two runs usually \
              differ by less than 3 %, in batches by up to 6 %. Models are called through the \
@@ -206,12 +206,11 @@ impl Report {
         ));
         self.line(format!(
             "* Inputs are {CALLS} of each kind. *One contact* has a = 6 mm, b = 4 mm, 80 kN, \
-             steel, μ = 0.3, and creepages from partial slip to sliding. *Random* contacts \
-             have a/b 0.1 to 10, ν 0 to 0.5, linear forces 0 to 3 μ N in any direction, and \
-             |ψ| up to 0.95 or no spin. *Mixed* contacts take turns: with spin, without, \
-             longitudinal alone, lateral with spin, spin alone, and |ψ| from 1 to 3. Each \
-             random contact is prepared separately, so that its numbers are not in the \
-             nearest cache."
+             steel, μ = 0.3, and creepages from partial slip to sliding. *Random* contacts have \
+             a/b 0.1 to 10 and ν 0 to 0.5. Linear forces are 0 to 3 μ N in any direction, |ψ| up \
+             to 0.95 or none. *Mixed* contacts alternate: with spin, without spin, longitudinal, \
+             lateral with spin, spin alone, and |ψ| from 1 to 3. Each random contact is prepared \
+             separately, so that its numbers are not in the nearest cache."
         ));
         self.line(
             "* Errors are defined as in [accuracy.md](accuracy.md). The error of the force is \
@@ -221,11 +220,11 @@ impl Report {
              precision the derivatives of double precision are shown.",
         );
         self.line(
-            "* FASTSIM 10x10 is the unit of the ratios. It has three flexibilities, a \
-             parabolic bound and cell centres (`benches/peers/fastsim.rs`). *Scalar* is the \
-             classical loop, strip after strip, as most programs have it. *Ten lanes* \
-             computes its strips in parallel without branches, in registers of 128 bits. \
-             *AVX2* uses registers of 256 bits, if the processor has them.",
+            "* FASTSIM 10x10 is the unit of the ratios. It has three flexibilities, a parabolic \
+             bound and cell centres (`benches/peers/fastsim.rs`). *Scalar* is the classical loop \
+             over strips, as in most programs. *Ten lanes* computes its strips in parallel without \
+             branches, in registers of 128 bits. *AVX2* uses registers of 256 bits, if the \
+             processor has them.",
         );
         for (name, published) in PUBLISHED {
             let row = self.rows.iter().find(|row| row.name == name);
@@ -265,8 +264,8 @@ impl Report {
             "\nThe columns of the first processor are from this run. The last two are from other \
              processors, at two commits whose models are the same. They compare two Intel \
              processors. For your processor, run `cargo bench --bench speed` on a machine that \
-             does nothing else. This program writes this page. The code of the other methods is \
-             the same in all runs, and compares an AMD and an Intel processor:\n",
+             does nothing else. This program writes this page. The other methods have the same \
+             code in all runs, so their times compare an AMD and an Intel processor:\n",
         );
         self.header(&[
             "method",
@@ -347,11 +346,11 @@ impl Report {
     fn batches(&mut self) {
         self.line(format!("\n{BATCHED}\n"));
         self.line(
-            "The second table compares `kstrip_evaluate_batch`, with one array for each quantity, \
-             with a loop over `kstrip_solve`. Times are nanoseconds of a contact, and the results \
-             have the same bits. On x86-64 processors with AVX, four contacts in double precision \
-             or eight in single precision share one register. With AVX-512, one register has twice \
-             as many. The library checks once whether the processor has AVX and AVX-512. The first \
+            "The second table compares a loop over `kstrip_solve` with `kstrip_evaluate_batch` on \
+             one array for each quantity. Times are nanoseconds of a contact, and the results have \
+             the same bits. On x86-64 processors with AVX, four contacts in double precision or \
+             eight in single precision share one register. With AVX-512, one register has twice as \
+             many. The library checks once whether the processor has AVX and AVX-512. The first \
              table has the time with AVX-512 divided by the time with AVX, on an AMD EPYC of \
              family 26.\n",
         );

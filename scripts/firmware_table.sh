@@ -42,7 +42,7 @@ awk '{ f = $1; name = f == last ? "" : "`" f "`"; last = f
     printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $2 == "-" ? "" : $2, $3, $4 == "-" ? "" : $4, $5, $6, $7, $8, $9, $10 }' "$out/functions.txt" | sed 's/| - /| /g'
 say "| everything f32 | | $(size all 2) | $(size total_all 2) | | | | | | |"
 say
-say "The table has the flash with some features only, in bytes, of everything f32 and of three functions alone:"
+say "The table has the flash in bytes of everything f32, and of three functions alone, with some features only:"
 say
 say "| features | functions | everything | \`kstrip_evaluate_f32\` | \`kstrip_solve_motion_f32\` | \`kstrip_estimate_friction_f32\` |"
 say "|---|---:|---:|---:|---:|---:|"
@@ -50,9 +50,9 @@ awk '{ gsub(",", ", ", $1); printf "| %s | %s | %s | %s | %s | %s |\n", $1, $2, 
 say
 say "*Flash* is the size of a program that calls only this function, with all models in the library and with TOTAL alone. *Stack* is the deepest path through the calls of the function, from the disassembly (\`scripts/stack_bound.awk\`). It holds for any model, any strip count and any input. A question mark means that a call through a pointer, to the function's own closure, is not followed. *Fewest*, *median* and *most* are instructions for $cases inputs (\`cases.h\`). *Cycles* are estimated from the median of the instructions, with 14 cycles for a division or a square root. *prepared* leaves out kstrip_prepare_f32. Everything f32 has $(size all 3) bytes of data."
 say
-say "No figure of flash, stack and median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
+say "No figure of flash, stack or median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
 say
-say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and the creepage of the limit by eight solutions. A fit of 50 points with TOTAL starts once a second of the simulated rig; the processor needs longer."
+say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and creepage at the limit from eight solutions. A fit of 50 points with TOTAL starts every second of simulated time; the processor needs longer."
 say
 say "| | most instructions | cycles | µs at 168 MHz |"
 say "|---|---:|---:|---:|"
@@ -63,7 +63,7 @@ sed -n 's/^# most instructions: \([0-9]*\) of a period, \([0-9]*\) of a fit$/\1 
     { printf "| a period of 1 ms | %d | %d | %.0f |\n", $1, $1 * strip, $1 * strip / 168
       printf "| a fit | %d | %d | %.0f |\n", $2, $2 * total, $2 * total / 168 }'
 say
-say "A wheel on a contact table of $(stat -c %s "$out/table.bin") bytes in flash (\`table_lookup.c\`: S1002 on UIC60, yaw to 20 mrad, STRIP) takes these instructions and bytes of stack, in $(grep -vc '^#' "$out/table_lookup.txt") positions. The workspace has $(sed -n 's/^# table.* workspace \([0-9]*\) bytes$/\1/p' "$out/table_lookup.txt") bytes more."
+say "A contact table in flash has $(stat -c %s "$out/table.bin") bytes (S1002 on UIC60, yaw to 20 mrad, STRIP; \`table_lookup.c\`). The next table has instructions and stack of a wheel in $(grep -vc '^#' "$out/table_lookup.txt") positions. The workspace needs another $(sed -n 's/^# table.* workspace \([0-9]*\) bytes$/\1/p' "$out/table_lookup.txt") bytes."
 say
 say "| a lookup | fewest | median | most | painted stack [bytes] |"
 say "|---|---:|---:|---:|---:|"
@@ -78,7 +78,7 @@ if [ -n "${riscv_sizes:-}" ]; then
     awk '!/^#/ && $1 !~ /\.(4|8|64)$|^solve_|^prepared\.[LS]|^strips|^field/ { printf "| %s | %d | %d | %d | %d |\n", $1, $2, $3, $4, $5 }' "$out/budget.riscv.txt"
 fi
 say
-say "### What one function brings along"
+say "### What one function links"
 say
 cross=arm-none-eabi-gcc
 link_core=$m4
@@ -109,7 +109,7 @@ say "| self-test on riscv32imac, floating point by software, QEMU's virt board |
 say "| CMake with the toolchain file \`c_examples/firmware/arm-none-eabi.cmake\` | $cmake_says |"
 say "| the loop of twin_disc | $("$out/twin_disc_check.host" <"$out/twin_disc.mps2-an386.txt" | sed 's/^twin_disc: //') |"
 say
-say "The list compares single with double precision on the same inputs. Units are mu N, of the moment mu N sqrt(a b):"
+say "The list compares single with double precision on the same inputs. Units are mu N, for moments mu N sqrt(a b):"
 say
 say '```text'
 cat "$out/selftest.double.txt"

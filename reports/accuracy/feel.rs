@@ -90,7 +90,7 @@ impl Report {
     pub fn feel(&mut self) {
         let methods = methods();
         let cases = slope_cases();
-        self.line("\n## What a simulation feels\n");
+        self.line("\n## What a simulation uses\n");
         self.line(include_str!("feel.txt").trim_end());
         self.line("");
         self.header(&[

@@ -97,8 +97,8 @@ fn steep_contacts_are_those_of_contact_at_equal_load() {
     assert_told(
         PAGE,
         &format!(
-            "With one plane of contact they are {mean:.3} on average and {p95:.3} at the 95th \
-         percentile ({count} contacts)"
+            "Against CONTACT with one plane, errors of the forces are {mean:.3} on average and \
+             {p95:.3} at the 95th percentile ({count} contacts)"
         ),
     );
 }
