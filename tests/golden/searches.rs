@@ -4,7 +4,7 @@
 //! random.
 
 use crate::bits::{Bits, Hash, compare, draw, hash_indentation, inputs, law, part, pressed};
-use crate::wheel::{PAIRS, Stand, hash_surface};
+use crate::wheel::{PAIRS, Stand, hash_contacts, hash_surface};
 use kstrip::friction::solve_with_law;
 use kstrip_testing::prelude::*;
 use kstrip_testing::single::{converted, converted_motion};
@@ -208,10 +208,10 @@ fn velocity<F: Bits>(i: u32) -> Velocity<F> {
     Velocity { forward, lateral, vertical, roll, pitch: pitch - forward / F::of(0.46), yaw }
 }
 
-/// Wheels anywhere on rails.
+/// Wheels anywhere on rails, with derivatives of a few.
 fn hash_wheels<F: Bits>(hash: &mut Hash) {
     let mut stands = PAIRS.map(Stand::<F>::new);
-    for i in 0..24 {
+    for i in 0..360 {
         let Stand { rail, wheel, pair, memory } = &mut stands[i as usize % 4];
         let from = [-10e-3, -70e-3, 0.0, -77e-3][i as usize % 4];
         let pair = WheelPair {
@@ -234,7 +234,12 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         for deeper in [0.3e-3, 2e-3, 6e-3] {
             let position = Position { vertical: vertical + F::of(deeper), ..place };
             let found = scene.solve(&BodyState { position, velocity: Velocity::default() }, memory);
-            hash.wrench(found);
+            if hash.wrench(found) {
+                hash_contacts(hash, memory);
+            }
+        }
+        if i % 15 > 0 {
+            continue;
         }
         let position = Position { vertical, ..place };
         let mut by_velocity = WrenchDerivatives::default();
@@ -259,7 +264,7 @@ fn hash_wheelsets<F: Bits>(hash: &mut Hash) {
     let mut memory = zeroed::<WheelsetWorkspace<F>>();
     let pairs = [pair, WheelPair { left: 1, ..pair }];
     let law = Law { model: Model::Strip, falling: None };
-    for i in 0..8 {
+    for i in 0..32 {
         let strips = StripCount::Eight;
         let scenes = [0, 1].map(|k| Scene {
             rail: &rail,

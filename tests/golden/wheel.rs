@@ -142,7 +142,7 @@ fn hash_slopes<F: Bits>(hash: &mut Hash, slopes: &WrenchDerivatives<F>) {
     hash.add(&slopes.friction);
 }
 
-fn hash_contacts<F: Bits>(hash: &mut Hash, memory: &Workspace<F>) {
+pub fn hash_contacts<F: Bits>(hash: &mut Hash, memory: &Workspace<F>) {
     for contact in memory.found() {
         let [x, y, z] = contact.origin;
         hash.add(&[x, y, z, contact.angle, contact.angle_range, contact.radius]);
