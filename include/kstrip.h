@@ -2671,8 +2671,14 @@ kstrip_status kstrip_table_check(const uint8_t *table, uint32_t bytes, uint32_t 
  * @param pair            friction, side, model, damping, floor_speed and rail_speed. The radius,
  *                        the materials and the smoothing length are those of the table, the number
  *                        of strips is that of its spec, and the rail is straight.
- * @param position, velocity, friction, workspace, wrench, derivatives  as in
- *                        kstrip_wheel_on_rail().
+ * @param position, velocity  as in kstrip_wheel_on_rail().
+ * @param friction        falling friction (not its friction and rolling_speed); NULL: constant.
+ * @param workspace       memory that may hold anything; receives the contacts; NULL: not needed.
+ *                        With several contacts a call without it takes longer, and the sums have
+ *                        another rounding.
+ * @param[out] wrench     receives force and moment.
+ * @param[out] derivatives  receives their exact derivatives with respect to velocity and friction;
+ *                          NULL: not needed.
  * @param[out] by_position  receives the derivatives of the interpolated wrench with respect to
  *                        position: one-sided differences; NULL: not needed.
  * @return KSTRIP_OK; KSTRIP_WARNING_ANGLE_RANGE or KSTRIP_WARNING_ROUGH as there;

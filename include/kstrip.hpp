@@ -1639,15 +1639,16 @@ inline status table_check(const std::uint8_t *table, std::uint32_t bytes, std::u
     return static_cast<status>(kstrip_table_check(table, bytes, &length));
 }
 
-/// `law`: null if friction is constant; `slopes`, `by_position`: null if they are not needed.
+/// `law`: null if friction is constant; `workspace`: null if the contacts are not needed; `slopes`, `by_position`: null if they are
+/// not needed.
 template <class T>
 status wheel_on_table(const table &from, const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where,
                       const basic_wheel_velocity<T> &moves, const detail::only<basic_friction<T>> *law,
-                      basic_wheel_workspace<T> &workspace, basic_wrench<T> &to,
+                      detail::only<basic_wheel_workspace<T>> *workspace, basic_wrench<T> &to,
                       detail::only<basic_wrench_derivatives<T>> *slopes = nullptr,
                       detail::only<basic_wrench_by_position<T>> *by_position = nullptr) noexcept
 {
-    return KSTRIP_HPP_CALL(kstrip_wheel_on_table, &from, &both, &where, &moves, law, &workspace, &to, slopes, by_position);
+    return KSTRIP_HPP_CALL(kstrip_wheel_on_table, &from, &both, &where, &moves, law, workspace, &to, slopes, by_position);
 }
 
 namespace detail {
@@ -1948,7 +1949,15 @@ class basic_contact_table {
                           basic_wheel_workspace<T> &workspace, const basic_friction<T> *law = nullptr) const
     {
         basic_wrench<T> to{};
-        detail::check(wheel_on_table(view(), both, where, moves, law, workspace, to));
+        detail::check(wheel_on_table(view(), both, where, moves, law, &workspace, to));
+        return to;
+    }
+    /// The same without the contacts.
+    basic_wrench<T> wheel(const basic_wheel_pair<T> &both, const basic_wheel_position<T> &where, const basic_wheel_velocity<T> &moves,
+                          const basic_friction<T> *law = nullptr) const
+    {
+        basic_wrench<T> to{};
+        detail::check(wheel_on_table<T>(view(), both, where, moves, law, nullptr, to));
         return to;
     }
     /// The wrench with its derivatives. `by_position`: whether to compute those with respect to the position too.
@@ -1957,7 +1966,7 @@ class basic_contact_table {
                                                      const basic_friction<T> *law = nullptr, bool by_position = false) const
     {
         basic_wheel_evaluation<T> to{};
-        detail::check(wheel_on_table(view(), both, where, moves, law, workspace, to.wrench, &to.derivatives,
+        detail::check(wheel_on_table(view(), both, where, moves, law, &workspace, to.wrench, &to.derivatives,
                                      by_position ? &to.by_position : nullptr));
         return to;
     }

@@ -63,7 +63,7 @@ sed -n 's/^# most instructions: \([0-9]*\) of a period, \([0-9]*\) of a fit$/\1 
     { printf "| a period of 1 ms | %d | %d | %.0f |\n", $1, $1 * strip, $1 * strip / 168
       printf "| a fit | %d | %d | %.0f |\n", $2, $2 * total, $2 * total / 168 }'
 say
-say "A contact table in flash has $(stat -c %s "$out/table.bin") bytes (S1002 on UIC60, yaw to 20 mrad, STRIP; \`table_lookup.c\`). The next table has instructions and stack of a wheel in $(grep -vc '^#' "$out/table_lookup.txt") positions. The workspace needs another $(sed -n 's/^# table.* workspace \([0-9]*\) bytes$/\1/p' "$out/table_lookup.txt") bytes."
+say "A contact table in flash has $(stat -c %s "$out/table.bin") bytes (S1002 on UIC60, yaw to 20 mrad, STRIP; \`table_lookup.c\`). The next table has instructions and stack of a wheel in $(grep -vc '^#' "$out/table_lookup.txt") positions. Other memory is not needed."
 say
 say "| a lookup | fewest | median | most | painted stack [bytes] |"
 say "|---|---:|---:|---:|---:|"

@@ -1244,10 +1244,10 @@ module kstrip
          type(kstrip_wheel_pair), intent(in) :: pair
          type(kstrip_wheel_position), intent(in) :: position
          type(kstrip_wheel_velocity), intent(in) :: velocity
-         type(kstrip_friction), intent(in) :: friction
-         type(kstrip_wheel_workspace), intent(inout) :: workspace
+         type(kstrip_friction), intent(in), optional :: friction
+         type(kstrip_wheel_workspace), intent(inout), optional :: workspace
          type(kstrip_wrench), intent(inout) :: wrench
-         type(kstrip_wrench_derivatives), intent(inout) :: derivatives
+         type(kstrip_wrench_derivatives), intent(inout), optional :: derivatives
          type(kstrip_wrench_by_position), intent(inout), optional :: by_position
       end function
 

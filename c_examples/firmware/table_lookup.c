@@ -25,7 +25,6 @@ typedef struct pose {
 } pose;
 
 static const float radius = 0.46f, speed = 20.0f;
-static kstrip_wheel_workspace_f32 memory;
 
 /* The forces on the wheel, on request with their derivatives. */
 static kstrip_status look_up(const kstrip_table *table, const pose *at, kstrip_wrench_f32 *wrench,
@@ -35,7 +34,7 @@ static kstrip_status look_up(const kstrip_table *table, const pose *at, kstrip_w
         .wheel_radius = radius, .shear_modulus = 82e9f, .poisson_ratio = 0.28f, .friction = 0.3f};
     const kstrip_wheel_position_f32 position = {.lateral = at->lateral, .vertical = at->vertical, .yaw = at->yaw};
     const kstrip_wheel_velocity_f32 velocity = {.forward = speed, .pitch = at->pitch, .lateral = at->across};
-    return kstrip_wheel_on_table_f32(table, &pair, &position, &velocity, NULL, &memory, wrench, derivatives, NULL);
+    return kstrip_wheel_on_table_f32(table, &pair, &position, &velocity, NULL, NULL, wrench, derivatives, NULL);
 }
 
 static uint32_t bits(float number)
@@ -113,7 +112,7 @@ int main(void)
             }
         }
     }
-    printf("# table %" PRIu32 " bytes, workspace %u bytes\n", table.bytes, (unsigned)sizeof memory);
+    printf("# table %" PRIu32 " bytes\n", table.bytes);
     for (with = 0; with < 2; ++with) {
         qsort(counts[with], POSES, sizeof counts[with][0], ascending);
         printf("# %s: %" PRIu32 " %" PRIu32 " %" PRIu32 " instructions, %" PRIu32 " bytes of stack\n",

@@ -16,7 +16,7 @@ use super::blend::pressure_by_square;
 use super::block::{
     BEGUN, ContactTable, FIELD, MOST_PLACES, RECORD, Record, SQUARE_FLOOR, write_bytes,
 };
-use super::lookup::ROUNDNESS;
+use super::strips::ROUNDNESS;
 use crate::contact::totals::StripCount;
 use crate::number::{Arithmetic, Float, Strips, length, pairs};
 use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchStrip};

@@ -1,37 +1,27 @@
 //! From a table and a position to the contacts of a wheel, and to force and moment.
 //!
 //! 1. The numbers of the position at the places of the wheel are [blended](super::blend).
-//! 2. **A strip** is the part of the interval between two places in which the blended `l²` is
-//!    positive. Both squares are linear there, and the strip has their means. The intervals do not
-//!    move with the wheel's position, and a strip begins and ends with a width of zero.
+//! 2. From them follow the [strips](super::strips) on the wheel.
 //! 3. **Contacts** are groups of zones of strips, as in the direct computation.
 //! 4. The pressures are multiplied by one factor, so that they support what the heights tell.
 
 use super::blend::{AtPlaces, Blend};
 use super::block::ContactTable;
+use super::strips::{OnWheel, add_places};
 use crate::forces::Model;
-use crate::normal::crossings::Overlap;
-use crate::number::{Arithmetic, Float, Strips, at};
-use crate::patch::{KSTRIP_PATCH_CAPACITY, PatchStrip};
+use crate::number::{Float, are_finite};
+use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
 use crate::wheel_rail::contacts::groups::{Groups, Overlaps};
-use crate::wheel_rail::contacts::view::Place;
 use crate::wheel_rail::forces::wrench::{self, Law, Wrench, WrenchByPosition, WrenchDerivatives};
-use crate::wheel_rail::profile::{CurvePoint, Piece};
 use crate::wheel_rail::scene::{TableSource, Workspace};
-use crate::wheel_rail::touch::angle_of;
 use crate::wheel_rail::touch::line_of_contact::Wheel;
-use crate::wheel_rail::touch::roller::Over;
 use crate::wheel_rail::{BodyState, Position, Requested, WheelPair};
 use heapless::Vec;
 
-/// `l²` over `R` times the distance of the undeformed and the deformed surfaces.
-pub(super) const ROUNDNESS: f64 = 2.6;
 /// Largest factor of the pressures.
 const MOST_SCALED: f64 = 2.0;
-/// One strip more than all contacts together may have.
-const TOO_MANY: usize = KSTRIP_PATCH_CAPACITY + 1;
 /// Step of differences \[m, rad\], in double and in single precision.
 const STEPS: [f64; 2] = [1e-8, 5e-6];
 
@@ -46,23 +36,6 @@ pub struct TableScene<'a, F> {
     pub law: Law<'a, F>,
 }
 
-/// The part of an interval between two places in which the bodies touch.
-#[derive(Clone, Copy)]
-struct Covered<F> {
-    /// Quantity of the place before.
-    before: usize,
-    /// Its middle, as share of the interval, and its ends as lengths on the wheel \[m\].
-    share: F,
-    ends: [F; 2],
-    /// Half the angle between the surfaces \[rad\].
-    half_angle: F,
-    /// Means of `l²` and `p²`.
-    square: F,
-    pressure: F,
-    /// Quantity of its zone.
-    zone: usize,
-}
-
 /// What the strips on a wheel have in common.
 struct Blended<F> {
     zones: Overlaps<F>,
@@ -75,127 +48,25 @@ struct Blended<F> {
     warning: Warning,
 }
 
-/// The second difference of numbers at a place; zero at their ends.
-fn bend<F: Float>(list: &[F], k: usize, stride: usize) -> F {
-    let beside = k.checked_sub(stride).zip(list.get(k + stride));
-    beside.map_or(F::zero(), |(before, after)| at(list, before) - at(list, k).times(2.0) + *after)
+/// The contacts of a position.
+struct Placed<F> {
+    count: usize,
+    /// Factor of the pressures.
+    factor: F,
+    /// Vertical support with a factor of one \[N\].
+    support: F,
+    warning: Warning,
 }
 
-/// Strips on the wheel, as many as there is room for.
-type OnWheel<F> = Vec<Covered<F>, TOO_MANY>;
-
-impl<F: Float> Blend<'_, F> {
-    /// Finds the strips on a wheel of a radius, and the zones that they are. `stride` is the number
-    /// of places from one end of an interval to the other, a power of two.
-    #[inline(never)]
-    fn strips_on_wheel(
-        &self, table: &ContactTable, (stride, radius): (usize, F), strips: &mut OnWheel<F>,
-    ) -> Overlaps<F> {
-        let Self { square, pressure, half_angle, first, .. } = self;
-        let mut zones = Overlaps::new();
-        strips.clear();
-        let mut open: Option<Overlap<F>> = None;
-        let mut zone = 0;
-        let per_depth = F::one() / radius.times(ROUNDNESS);
-        let here = |k: usize| table.along::<F>(first + k);
-        let step = here(stride) - here(0);
-        // the intervals of a table lie where they lie, whatever the first blended place
-        let mut next = first.wrapping_neg() & (stride - 1);
-        while next + stride < square.len() {
-            let k = next;
-            next += stride;
-            let ends_of = |list: &[F]| [at(list, k), at(list, k + stride)];
-            let [from, to] = ends_of(square);
-            let (begins, ends) = (from > F::zero(), to > F::zero());
-            if !(begins || ends) {
-                continue;
-            }
-            let (zero, one) = (F::zero(), F::one());
-            let crossing = from / (from - to);
-            let shares = [if begins { zero } else { crossing }, if ends { one } else { crossing }];
-            let [share, width] =
-                [(shares[0] + shares[1]).times(0.5), (shares[1] - shares[0]).squared()];
-            let middle = |list| {
-                let [from, to] = ends_of(list);
-                from + (to - from) * share
-            };
-            // of a parabola the mean is beside the middle of the chord
-            let mean = |list| {
-                let bends = bend(list, k, stride) + bend(list, k + stride, stride);
-                (middle(list) - bends * width.times(1.0 / 24.0)).max(zero)
-            };
-            let lengths = shares.map(|share| here(k) + step * share);
-            let [begin, end] = lengths;
-            let strip = Covered {
-                before: first + k,
-                share,
-                ends: lengths,
-                half_angle: middle(half_angle),
-                square: mean(square),
-                pressure: mean(pressure),
-                zone,
-            };
-            if strip.square.sqrt() > F::TINY && end - begin > F::TINY {
-                let _ = strips.push(strip);
-            }
-            let own = open.get_or_insert(Overlap { ends: [begin, end], depth: zero });
-            own.ends[1] = end;
-            own.depth = own.depth.max(from.max(to) * per_depth);
-            if !ends && let Some(done) = open.take() {
-                zones.push(done);
-                zone += 1;
-            }
-        }
-        if let Some(last) = open {
-            zones.push(last);
-        }
-        zones
+impl<F: Float> Placed<F> {
+    fn nothing() -> Self {
+        let zero = F::zero();
+        Self { count: 0, factor: zero, support: zero, warning: Warning::None }
     }
-}
 
-/// Appends the places of strips on the wheel's surface, four side by side.
-fn add_places<F: Float>(
-    table: &ContactTable, wheel: &Wheel<F>, strips: &[Covered<F>],
-    (stride, rail_speed): (usize, F), places: &mut Vec<Place<F>, TOO_MANY>,
-) {
-    for four in strips.chunks(F::Four::COUNT) {
-        let of = |k: usize| four.get(k).or(four.last());
-        let point = |further: usize, member: fn(CurvePoint<F>) -> F| {
-            F::Four::gather(|k| {
-                of(k).map_or(F::zero(), |own| member(table.point(own.before + further)))
-            })
-        };
-        let points = [0, stride].map(|further| CurvePoint {
-            y: point(further, |point| point.y),
-            z: point(further, |point| point.z),
-            cosine: point(further, |point| point.cosine),
-            sine: point(further, |point| point.sine),
-        });
-        let length = F::Four::all(table.along(stride));
-        let share = F::Four::gather(|k| of(k).map_or(F::zero(), |own| own.share));
-        let [before, after] = points;
-        let [y, z] = Piece::new(before, after, length).at(share);
-        let per_length = length.inverse();
-        let point = CurvePoint {
-            y: y.value,
-            z: z.value,
-            cosine: y.slope * per_length,
-            sine: z.slope * per_length,
-        };
-        let line = wheel.line_of_contact::<F::Four>(&point);
-        for (k, own) in four.iter().enumerate() {
-            let [normal_y, normal_z] = &line.normal;
-            let of_wheel = angle_of(-normal_y.lane(k), normal_z.lane(k));
-            let _ = places.push(Place {
-                point: core::array::from_fn(|axis| {
-                    line.place.get(axis).map_or(F::zero(), |of| of.lane(k))
-                }),
-                angle: of_wheel + own.half_angle,
-                lean: own.half_angle,
-                over: Over::straight(),
-                rail_speed,
-            });
-        }
+    /// Gives a contact the pressures that support what the heights tell.
+    fn scale(&self, contact: &mut WheelContact<F>) {
+        contact.scale_pressure(self.factor, self.support);
     }
 }
 
@@ -218,7 +89,7 @@ pub fn source<F: Float>(bytes: &[u8], only: bool) -> TableSource<'_, F> {
                 by_position: by_position.as_deref_mut(),
             };
             let scene = TableScene { table: ContactTable::new(bytes)?, pair, law };
-            scene.differentiate(state, memory, requested)
+            scene.differentiate(state, Some(memory), requested)
         },
     }
 }
@@ -263,12 +134,25 @@ impl<F: Float> TableScene<'_, F> {
     fn place_checked(
         &self, position: &Position<F>, is_beyond: bool, memory: &mut Workspace<F>,
     ) -> Result<Warning, Error> {
-        let Self { table, pair, .. } = self;
         (memory.count, memory.gap.count) = (0, 0);
+        let Workspace { strips, contacts, count, .. } = memory;
+        let placed = self.fill_contacts(position, is_beyond, (usize::MAX, strips), contacts)?;
+        *count = placed.count as u32;
+        contacts.iter_mut().take(placed.count).for_each(|contact| placed.scale(contact));
+        Ok(placed.warning)
+    }
+
+    /// Fills the contacts of a position up to a number, with pressures that do not support yet what
+    /// the heights tell. Those for which the list is too short take its last place in turn.
+    fn fill_contacts(
+        &self, position: &Position<F>, is_beyond: bool, (up_to, strips): (usize, &mut Patch<F>),
+        contacts: &mut [WheelContact<F>],
+    ) -> Result<Placed<F>, Error> {
+        let Self { table, pair, .. } = self;
         let right = position.mirrored(pair.left != 0);
         let mut own = OnWheel::new();
         let Some(blended) = self.strips_at(&right, is_beyond, &mut own)? else {
-            return Ok(Warning::None);
+            return Ok(Placed::nothing());
         };
         let Blended { zones, stride, indented, support: wanted, mut warning } = blended;
         let wheel = Wheel::new(pair.wheel_radius, &right);
@@ -278,15 +162,16 @@ impl<F: Float> TableScene<'_, F> {
         if !zones.group(&mut groups) {
             warning = Warning::Rough;
         }
-        let (mut support, mut written) = (F::zero(), 0);
-        let Workspace { strips, contacts, .. } = memory;
-        for (group, contact) in groups.iter().zip(contacts.iter_mut()) {
+        let (mut support, mut count) = (F::zero(), 0);
+        let most = contacts.len().saturating_sub(1);
+        for group in groups.iter() {
             let [first, last] = group.zones;
             let begin = own.partition_point(|strip| strip.zone < first);
             let end = own.partition_point(|strip| strip.zone <= last);
             let of_group = (own.get(begin..end)).zip(places.get(begin..end));
             let Some((inside, of_strips)) = of_group else { continue };
             let Some(first) = of_strips.first() else { continue };
+            let Some(contact) = contacts.get_mut(count.min(most)) else { break };
             strips.clear(pair.shear_modulus, pair.poisson_ratio);
             for (strip, place) in inside.iter().zip(of_strips) {
                 strips.push(strip.of_patch(place));
@@ -295,26 +180,63 @@ impl<F: Float> TableScene<'_, F> {
             contact.share = group.share.clamped(F::zero(), F::one());
             let [_, _, vertical, ..] = contact.normal;
             support += contact.share * contact.normal_force * vertical;
-            written += 1;
-        }
-        if !(support > F::zero()) {
-            return Ok(Warning::None);
-        }
-        memory.count = written as u32;
-        let scale = (wanted / support).min(F::of(MOST_SCALED));
-        for contact in memory.contacts.iter_mut().take(written) {
-            contact.scale_pressure(scale, support);
             if contact.is_conformal() {
                 warning = warning.worse(Warning::AngleRange);
             }
+            count += 1;
+            if count > up_to {
+                break;
+            }
         }
-        Ok(warning)
+        if !(support > F::zero()) {
+            return Ok(Placed::nothing());
+        }
+        let factor = (wanted / support).min(F::of(MOST_SCALED));
+        Ok(Placed { count, factor, support, warning })
+    }
+
+    /// The wrench of the contacts of a position, which are found one after the other: memory for
+    /// one is enough.
+    #[inline(never)]
+    fn wrench_in_turn(
+        &self, state: &BodyState<F>, is_beyond: bool,
+        mut by_velocity: Option<&mut WrenchDerivatives<F>>,
+    ) -> Result<Wrench<F>, Error> {
+        let (mut strips, mut contact) = (Patch::nothing(), WheelContact::nothing());
+        let BodyState { position, velocity } = state;
+        let nothing = by_velocity.as_deref_mut();
+        let mut sum = wrench::of_contacts_in(&mut strips, &[], velocity, self.law, nothing)?;
+        let fill = |up_to: usize, strips: &mut Patch<F>, contact: &mut WheelContact<F>| {
+            let alone = core::slice::from_mut(contact);
+            self.fill_contacts(position, is_beyond, (up_to, strips), alone)
+        };
+        let placed = fill(usize::MAX, &mut strips, &mut contact)?;
+        for k in 0..placed.count {
+            if placed.count > 1 {
+                fill(k, &mut strips, &mut contact)?;
+            }
+            placed.scale(&mut contact);
+            let alone = core::slice::from_ref(&contact);
+            let mut own = by_velocity.is_some().then(WrenchDerivatives::default);
+            let slopes = own.as_mut();
+            let found = wrench::of_contacts_in(&mut strips, alone, velocity, self.law, slopes)?;
+            sum.add(&found);
+            if let (Some(sums), Some(own)) = (&mut by_velocity, &own) {
+                sums.add_other(own);
+            }
+        }
+        Error::Overflow.unless(are_finite(&sum.members()))?;
+        sum.warning = sum.warning.worse(placed.warning);
+        Ok(sum)
     }
 
     fn wrench_at(
-        &self, state: &BodyState<F>, is_beyond: bool, memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, is_beyond: bool, memory: Option<&mut Workspace<F>>,
         by_velocity: Option<&mut WrenchDerivatives<F>>,
     ) -> Result<Wrench<F>, Error> {
+        let Some(memory) = memory else {
+            return self.wrench_in_turn(state, is_beyond, by_velocity);
+        };
         let placed = self.place_checked(&state.position, is_beyond, memory)?;
         let Workspace { strips, contacts, count, .. } = memory;
         let found = contacts.get(..*count as usize).unwrap_or(&[]);
@@ -323,19 +245,20 @@ impl<F: Float> TableScene<'_, F> {
     }
 
     /// The wrench of a position and a velocity, with the derivatives that are requested. Those with
-    /// respect to the position are differences of the interpolated wrench.
+    /// respect to the position are differences of the interpolated wrench. Without memory the
+    /// contacts are not listed.
     ///
     /// # Errors
     /// Those of [`TableScene::place`] and of
     /// [`of_contacts`](crate::wheel_rail::forces::wrench::of_contacts).
     pub fn differentiate(
-        &self, state: &BodyState<F>, memory: &mut Workspace<F>,
+        &self, state: &BodyState<F>, mut memory: Option<&mut Workspace<F>>,
         requested: Requested<WrenchDerivatives<F>, WrenchByPosition<F>>,
     ) -> Result<Wrench<F>, Error> {
         state.position.check()?;
         self.table.check_pair(self.pair)?;
         let Requested { by_velocity, by_position } = requested;
-        let found = self.wrench_at(state, false, memory, by_velocity)?;
+        let found = self.wrench_at(state, false, memory.as_deref_mut(), by_velocity)?;
         let Some(slopes) = by_position else { return Ok(found) };
         let [double, single] = STEPS.map(F::of);
         let step = if F::EPSILON > F::of(1e-10) { single } else { double };
@@ -343,28 +266,15 @@ impl<F: Float> TableScene<'_, F> {
             let mut moved = *state;
             let members = moved.position.members_mut();
             members.into_iter().skip(k).take(1).for_each(|own| *own += step);
-            *column = self.wrench_at(&moved, true, memory, None)?.members();
+            *column = self.wrench_at(&moved, true, memory.as_deref_mut(), None)?.members();
             for (slope, own) in column.iter_mut().zip(found.members()) {
                 *slope = (*slope - own) / step;
             }
         }
-        self.place_checked(&state.position, false, memory)?;
-        Ok(found)
-    }
-}
-
-impl<F: Float> Covered<F> {
-    /// The strip of a patch at a place.
-    fn of_patch(&self, place: &Place<F>) -> PatchStrip<F> {
-        let ([begin, end], [centre_x, ..]) = (self.ends, place.point);
-        PatchStrip {
-            y: (begin + end).times(0.5),
-            width: end - begin,
-            half_length: self.square.sqrt(),
-            centre_x,
-            peak_pressure: self.pressure.sqrt(),
-            friction: F::zero(),
+        if let Some(memory) = memory {
+            self.place_checked(&state.position, false, memory)?;
         }
+        Ok(found)
     }
 }
 

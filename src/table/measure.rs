@@ -153,7 +153,7 @@ impl<F: Float> TableReport<F> {
             let state = BodyState { position, velocity };
             let Ok(own) = direct.solve(&state, memory) else { continue };
             let none = Requested { by_velocity: None, by_position: None };
-            match by_table.differentiate(&state, memory, none) {
+            match by_table.differentiate(&state, Some(memory), none) {
                 Ok(found) if own.contacts > 0 => {
                     let [x, y, z] = own.force;
                     let [a, b, c] = found.force;

@@ -13,7 +13,8 @@
 //!   and many wheels then take their contacts from it.
 //!
 //! `fill` describes the stored numbers, and why zones of contact appear without a kink; `axis`
-//! describes the interpolation between nodes, and `lookup` the contacts.
+//! describes the interpolation between nodes, `strips` the strips on the wheel, and `lookup` the
+//! contacts.
 
 mod axis;
 mod begin;
@@ -24,6 +25,7 @@ mod lookup;
 mod measure;
 mod parts;
 mod spec;
+mod strips;
 
 pub use self::block::ContactTable;
 pub(crate) use self::block::{HEAD_START, head_length};

@@ -179,7 +179,7 @@ fn force_from_a_table_is_continuous() {
     let velocity = Velocity { lateral: 0.05, ..ROLLING };
     let mut force = |position: Position<f64>| {
         let state = BodyState { position, velocity };
-        match scene.differentiate(&state, &mut memory, NOTHING()) {
+        match scene.differentiate(&state, Some(&mut memory), NOTHING()) {
             Err(Error::TableRange) => None,
             found => Some(found.unwrap().members()),
         }
@@ -235,9 +235,9 @@ fn derivatives_from_a_table_are_those_of_its_forces() {
         let state = BodyState { position: loaded(lateral, yaw, 70e3), velocity };
         let (mut by, mut moved) = (WrenchDerivatives::default(), WrenchByPosition::default());
         let requested = Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) };
-        let own = scene.differentiate(&state, &mut memory, requested).unwrap();
+        let own = scene.differentiate(&state, Some(&mut memory), requested).unwrap();
         let mut at = |state: BodyState<f64>| {
-            scene.differentiate(&state, &mut memory, NOTHING()).unwrap().members()
+            scene.differentiate(&state, Some(&mut memory), NOTHING()).unwrap().members()
         };
         let size = own.normal_force;
         let step = 1e-6;
@@ -272,7 +272,7 @@ fn lost_contact_left_wheel_and_standstill() {
     let mut solve = |pair: &WheelPair<f64>, position, velocity| {
         on_table(table, pair).differentiate(
             &BodyState { position, velocity },
-            &mut memory,
+            Some(&mut memory),
             NOTHING(),
         )
     };
@@ -313,6 +313,59 @@ fn lost_contact_left_wheel_and_standstill() {
     ] {
         assert_eq!(solve(&other, position, ROLLING), Err(Error::TablePair));
     }
+}
+
+/// Without memory for contacts: the same forces and derivatives, with one contact and with several;
+/// under falling friction and behind a layer, where they are those of the contacts that are listed.
+#[test]
+fn contacts_need_not_be_listed() {
+    let Built { table, .. } = built();
+    let wet = SlipFriction {
+        friction: 1.0,
+        ratio: 0.4,
+        decay: 0.6,
+        slope_factor: 0.5,
+        layer: 2e-14,
+        ..SlipFriction::default()
+    };
+    let (mut memory, mut counts) = (zeroed::<Workspace<f64>>(), [0; 4]);
+    let velocity = Velocity { lateral: 0.03, yaw: 1e-3, ..ROLLING };
+    for k in 0..60 {
+        let load = [1.5e3, 3e3, 90e3][k as usize % 3];
+        let position = loaded(-7.3e-3 + 1e-5 * f64::from(k), 1e-3, load);
+        for falling in [None, Some(&wet)] {
+            let law = Law { falling, ..STRIP };
+            let scene = TableScene { law, ..on_table(table, &PAIR) };
+            let state = BodyState { position, velocity };
+            let solve = |memory: Option<&mut Workspace<f64>>| {
+                let (mut by, mut moved) =
+                    (WrenchDerivatives::default(), WrenchByPosition::default());
+                let requested =
+                    Requested { by_velocity: Some(&mut by), by_position: Some(&mut moved) };
+                let found = scene.differentiate(&state, memory, requested).unwrap();
+                (found, by, moved)
+            };
+            let listed = solve(Some(&mut memory));
+            let alone = solve(None);
+            let count = listed.0.contacts;
+            assert_eq!((count, listed.0.warning), (alone.0.contacts, alone.0.warning));
+            counts[count as usize] += 1;
+            let size = listed.0.normal_force;
+            let apart = |one: &[f64], two: &[f64], size: f64| {
+                let near = one.iter().zip(two).all(|(a, b)| (a - b).abs() <= size);
+                assert!(near && (count > 1 || one == two), "{one:?} {two:?}");
+            };
+            apart(&listed.0.members(), &alone.0.members(), 1e-12 * size);
+            apart(&[listed.0.dissipation], &[alone.0.dissipation], 1e-12 * size);
+            let rows = listed.1.velocity.iter().zip(&alone.1.velocity);
+            rows.for_each(|(one, two)| apart(one, two, 1e-9 * size));
+            // differences of forces over a step of 1e-8
+            apart(&listed.2.yaw, &alone.2.yaw, 1e-3 * size);
+            let direct = of_contacts(memory.found(), &velocity, law, None).unwrap();
+            assert_eq!(direct.members(), listed.0.members());
+        }
+    }
+    assert!(counts[1] > 40 && counts[2] + counts[3] > 10, "{counts:?}");
 }
 
 /// A force from C, or its status.
@@ -407,7 +460,8 @@ fn single_precision_reads_the_same_table() {
     let scene = TableScene { table, pair: &pair, law };
     let mut memory = zeroed::<Workspace<f32>>();
     let requested = Requested { by_velocity: None, by_position: None };
-    let found = scene.differentiate(&BodyState { position, velocity }, &mut memory, requested);
+    let found =
+        scene.differentiate(&BodyState { position, velocity }, Some(&mut memory), requested);
     for (own, expected) in found.unwrap().members().into_iter().zip(expected) {
         assert!((f64::from(own) - expected).abs() < 3e-3 * 80e3, "{own} {expected}");
     }

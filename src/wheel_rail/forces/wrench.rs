@@ -86,6 +86,16 @@ impl<F> WrenchByPosition<F> {
 }
 
 impl<F: Float> Wrench<F> {
+    /// Adds the wrench of other contacts.
+    pub(crate) fn add(&mut self, other: &Self) {
+        add(&mut self.force, other.force);
+        add(&mut self.moment, other.moment);
+        self.dissipation += other.dissipation;
+        self.normal_force += other.normal_force;
+        self.contacts += other.contacts;
+        self.warning = self.warning.worse(other.warning);
+    }
+
     /// The wrench's six members.
     #[must_use]
     pub fn members(&self) -> [F; 6] {
@@ -194,6 +204,12 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
 }
 
 impl<F: Float> WrenchDerivatives<F> {
+    /// Adds the derivatives of other contacts.
+    pub(crate) fn add_other(&mut self, other: &Self) {
+        self.velocity.iter_mut().zip(other.velocity).for_each(|(row, other)| add(row, other));
+        add(&mut self.friction, other.friction);
+    }
+
     /// Adds the derivatives of creep forces on the rail.
     fn add_creep(&mut self, contact: &WheelContact<F>, creep: &Creep<F>, factor: F) {
         let (share, damping) = (contact.share, contact.normal_damping);
