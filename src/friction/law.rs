@@ -99,7 +99,7 @@ impl<F: Float> SlipFriction<F> {
     fn falling_share(&self, slip: F) -> F {
         // Two factors: B V may overflow where B V s does not.
         let exponent = self.decay * (self.rolling_speed * slip.max(F::zero()));
-        (F::one() - self.ratio) * (-exponent.min(F::constant(1e4))).exp()
+        (F::one() - self.ratio) * (-exponent).exp()
     }
 
     /// Constant friction, clean bodies.

@@ -2,5 +2,6 @@
 
 mod bits;
 mod searches;
+mod tables;
 mod wheel;
 mod wheelset;

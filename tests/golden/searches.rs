@@ -6,11 +6,12 @@
 use crate::bits::{Bits, Hash, compare, draw, hash_indentation, inputs, law, part, pressed};
 use crate::wheel::{PAIRS, Stand, hash_contacts, hash_surface};
 use kstrip::friction::solve_with_law;
+use kstrip::wheel_rail::contacts::from_gap;
 use kstrip_testing::prelude::*;
 use kstrip_testing::single::{converted, converted_motion};
 
 /// A number from -1 to 1 in thousandths.
-fn swing(i: u32, salt: u32) -> f64 {
+pub fn swing(i: u32, salt: u32) -> f64 {
     f64::from(draw(i, salt, 2001)) / 1000.0 - 1.0
 }
 
@@ -201,7 +202,23 @@ fn hash_young_zones<F: Bits>(hash: &mut Hash) {
     }
 }
 
-fn velocity<F: Bits>(i: u32) -> Velocity<F> {
+/// Ellipses cut in two, with gaps up to three strips wide.
+fn hash_gaps<F: Bits>(hash: &mut Hash) {
+    for i in 0..120 {
+        let contact: Contact<F> = converted(&C0);
+        let mut patch = Patch::from_ellipse(&contact, StripCount::Sixteen).expect("a patch");
+        let gap = patch.strips[8].width * F::of(f64::from(i) / 40.0);
+        let cut = patch.strips.iter_mut().skip(5 + draw(i, 1, 7) as usize);
+        cut.for_each(|strip| strip.y += gap);
+        let creepage = creep(F::of(2e-3 * swing(i, 2)), F::of(2e-3 * swing(i, 3)), F::of(0.3));
+        let view = patch.view().expect("a patch");
+        for model in [Model::Strip, Model::Total] {
+            hash.derivatives(&patch_friction::differentiate_patch(&view, &creepage, None, model));
+        }
+    }
+}
+
+pub fn velocity<F: Bits>(i: u32) -> Velocity<F> {
     let rates = [20.0, 0.2, 0.02, 0.02, 0.5, 0.02];
     let [forward, lateral, vertical, roll, pitch, yaw] =
         [0, 1, 2, 3, 4, 5].map(|k| F::of(rates[k as usize] * swing(i, 20 + k)));
@@ -241,6 +258,17 @@ fn hash_wheels<F: Bits>(hash: &mut Hash) {
         if i % 15 > 0 {
             continue;
         }
+        // (a gap that does not say how far its points are apart)
+        let Workspace { gap, strips, contacts, .. } = &mut **memory;
+        gap.step = F::zero();
+        let found = from_gap(gap, &pair, &place, StripCount::Eight, strips, contacts);
+        if let Some(count) = hash.status(found.map(|found| (found.written, found.warning))) {
+            let listed = contacts.iter().take(count);
+            listed.for_each(|own| hash.add(&[own.normal_force, own.approach, own.stiffness]));
+        }
+        // (TOTAL on every second of them)
+        let model = if i % 2 == 0 { Model::Strip } else { Model::Total };
+        let scene = Scene { law: Law { model, falling: None }, ..scene };
         let position = Position { vertical, ..place };
         let mut by_velocity = WrenchDerivatives::default();
         let mut by_position = WrenchByPosition::default();
@@ -377,6 +405,7 @@ fn hashes<F: Bits>(precision: &str) -> String {
     part("layers", hash_layers::<F>);
     part("fits", hash_fits::<F>);
     part("young zones", hash_young_zones::<F>);
+    part("gaps", hash_gaps::<F>);
     part("wheels anywhere", hash_wheels::<F>);
     part("wheelsets in balance", hash_wheelsets::<F>);
     part("scans", hash_scans::<F>);

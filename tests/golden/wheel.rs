@@ -143,6 +143,7 @@ fn hash_slopes<F: Bits>(hash: &mut Hash, slopes: &WrenchDerivatives<F>) {
 }
 
 pub fn hash_contacts<F: Bits>(hash: &mut Hash, memory: &Workspace<F>) {
+    hash.mix(u64::from(memory.gap.count));
     for contact in memory.found() {
         let [x, y, z] = contact.origin;
         hash.add(&[x, y, z, contact.angle, contact.angle_range, contact.radius]);

@@ -513,6 +513,13 @@ fn creepages_in_per_cent_are_told() {
     let found = fit(&points, ONE, START);
     assert_eq!(found.warning, Warning::PerCent);
     assert!(found.law.slope_factor < 0.05, "{found:?}");
+    for (slope_factor, told) in [(0.0495, Warning::PerCent), (0.0505, Warning::None)] {
+        let law = falling(0.3, 0.5, 0.3, 10.0, slope_factor);
+        let points = made(&law, 10, |i| 4e-3 * i, |_| 1.0);
+        let start = SlipFriction { friction: 0.4, slope_factor: 0.2, ..law };
+        let found = fit(&points, [true, false, false, true, false, false], start);
+        assert_eq!(found.warning, told, "{slope_factor}");
+    }
     let right = fit(&measured(), ONE, START);
     assert_ne!(right.warning, Warning::PerCent);
     assert_relative_eq!(right.residual, found.residual, max_relative = 1e-3);

@@ -3,6 +3,7 @@
 use crate::prelude::*;
 use kstrip::batch::solve_batch;
 use kstrip::forces::derivatives;
+use kstrip::forces::prepared::Prepared;
 use kstrip::patch::solver::solve_patch;
 use kstrip_testing::patch_reference::{self, banded, falling, given, real};
 use kstrip_testing::reference::{open, slender, training, turning, unlike, validation};
@@ -71,6 +72,27 @@ fn in_a_batch_each_contact_gets_its_own() {
             }
         }
     }
+}
+
+/// A prepared contact does without the checks below a spin that it computes once: its warnings are
+/// those of a single call on both sides of every spin at which one begins, also in contacts under
+/// high pressure and in needles.
+#[test]
+fn prepared_contacts_warn_of_spin_as_single_calls_do() {
+    let mut warned = [0; 2];
+    for (a, b, normal_force) in [(6e-3, 4e-3, 80e3), (0.3e-3, 10e-3, 20e3), (9e-3, 0.2e-3, 9e3)] {
+        let contact = Contact { a, b, normal_force, ..C0 };
+        let options = sixteen(Model::Total);
+        let prepared = Prepared::new(&contact, &options).unwrap();
+        for k in 0..4000 {
+            let spin = 10.0_f64.powf(f64::from(k) * 1e-3);
+            let creepage = Creepage { longitudinal: 1e-4, lateral: 0.0, spin };
+            let alone = solved(&contact, &creepage, &options);
+            assert_eq!(prepared.solve(&creepage), Ok(alone), "{contact:?} {spin}");
+            warned[usize::from(alone.warning == Warning::Spin)] += 1;
+        }
+    }
+    assert!(warned.iter().all(|count| *count > 1000), "{warned:?}");
 }
 
 /// Warnings about an input in another unit that real contacts must never get.

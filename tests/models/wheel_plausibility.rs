@@ -91,6 +91,8 @@ fn wheels_on_rails_are_told_what_is_implausible() {
         (WheelPair { friction: 5.05, ..pair }, Warning::Friction),
         (WheelPair { shear_modulus: 1.01e5, ..pair }, Warning::None),
         (WheelPair { shear_modulus: 0.99e5, ..pair }, Warning::Modulus),
+        (WheelPair { shear_modulus: 0.99e13, ..pair }, Warning::Young),
+        (WheelPair { shear_modulus: 1.01e13, ..pair }, Warning::Modulus),
         (WheelPair { wheel_radius: 4.95, ..pair }, Warning::AxisRatio),
         (WheelPair { wheel_radius: 5.05, ..pair }, Warning::Radius),
         (WheelPair { poisson_ratio: 0.0, ..pair }, Warning::None),
