@@ -142,7 +142,7 @@ impl<F: Float> ScaledContact<F> {
         if self.contact.mismatch == F::zero() || model.is_of_1967() {
             return (*creepage, None);
         }
-        // (Copies, here and below: otherwise all numbers of the frame are stored, needed or not.)
+        // Copies are taken here and below, because otherwise all numbers of the frame are stored.
         let (contact, units) = (self.contact, self.units);
         let shift = match model {
             Model::Linear => linear_shift(&contact),
@@ -313,7 +313,7 @@ impl<F: Real> Theory<F> for Linear<F> {
         let [x, y] = [stiffness * c11, stiffness * c22];
         let [coupling, z] = [lever * c23, lever * frame.radius * c33];
         let mut entries = [x, y, coupling, z];
-        // (none is negative)
+        // No coefficient is negative.
         if !(x + y + (coupling + z)).lies_within(F::LARGEST) {
             entries = F::each(&entries, |entry| entry.min(F::LARGEST));
         }

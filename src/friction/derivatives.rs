@@ -75,7 +75,7 @@ impl<F: Float> AtFriction<F> {
         // s = P/(μ N), in the limit of full sliding (∂P/∂μ)/N
         let carries = bound > F::zero();
         let slip = if carries { power / bound } else { seen.power(by_friction) / load };
-        // (what rounding leaves of a power of zero may be below zero, and is no slip)
+        // What rounding leaves of a power of zero may be below zero, and is no slip.
         let slip = slip.max(F::zero());
         let [slip_by_load, mut slip_through_hertz, slip_by_mismatch] = self.slip_by_size();
         let by_size = slip_by_load - slip_by_mismatch;
@@ -205,7 +205,7 @@ impl<F: Float> InMotion<'_, F> {
         if let Some(through) = self.behind_layer() {
             return self.at_layer(&through, contact, of);
         }
-        // (by reference)
+        // A reference saves a copy of the results.
         let solved = solve_with_slopes(contact, self.creepage, self.options);
         let (solution, slopes) = solved.as_ref().map_err(|error| *error)?;
         self.through_law(contact, (solution, slopes, None), of)

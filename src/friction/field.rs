@@ -152,7 +152,7 @@ impl<F: Float> StripBehind<F> {
         let (along_x, along_y) = (x / size, y / size);
         let [of_half, of_bristles] =
             [half, bristles].map(|point| length(point.slip_x, point.slip_y));
-        // (where their tractions cancel no slip is large enough)
+        // Where their tractions cancel no slip is large enough.
         let fastest = of_half.max(of_bristles);
         let lacking = dissipation / size - (along_x * slip_x + along_y * slip_y);
         let lacking = lacking.clamped(-fastest, fastest);

@@ -85,7 +85,7 @@ impl<F: Real, M: Theory<F>> Layered<F, M> {
             return half_spaces;
         }
         let mean = self.layer.with_bristles(&half_spaces, &split);
-        // (TOTAL has none)
+        // TOTAL has no area of adhesion.
         let stick = if M::MODEL == Model::Total { half_spaces.stick } else { mean.stick };
         Totals { stick, ..mean }
     }

@@ -153,7 +153,7 @@ impl<'a, F: Float> InMotion<'a, F> {
     /// The checked contact with the stiffness of the law and the largest friction `μ` that agrees
     /// with the slip that it causes.
     pub fn with_friction(&self, contact: &Contact<F>) -> Result<(Contact<F>, Warning), Error> {
-        // (a library without laws has accepted none)
+        // A library without laws has accepted none.
         let Some(law) = self.law.filter(|_| SlipFriction::<F>::HAS_LAW) else {
             return Ok((*contact, Warning::None));
         };
@@ -162,8 +162,8 @@ impl<'a, F: Float> InMotion<'a, F> {
         if self.options.model == Model::Linear || !law.falls() || nothing {
             return Ok((contact, Warning::None));
         }
-        // (by reference: a closure takes the members of a structure one by one, and what is stored
-        // so is read slowly as pairs)
+        // The closure takes a reference. Otherwise it takes the members of the structure one by one,
+        // and what is stored so is read slowly as pairs.
         let of_largest = &contact;
         let next = |friction| {
             let contact = Contact { friction, ..*of_largest };

@@ -204,7 +204,7 @@ impl<F: Real> Layer<F> {
     /// Forces of the bristles divided by `μ N`, and their moment divided by `μ N √(ab)`.
     #[inline(always)]
     pub fn bristles<T: Number<Base = F>>(&self, [x, y, spin]: [T; 3]) -> Totals<T> {
-        // (spin at the half length `b` may be much larger)
+        // Spin at the half length `b` may be much larger.
         let across = spin.scale(F::one() / (self.root * self.root));
         let [x, y, spin, _] = scaled_down([x, y, spin, across], F::of(largest_rate::<T>()));
         let (inputs, values) = ([x, y, spin], [x, y, spin].map(T::value));
@@ -214,7 +214,7 @@ impl<F: Real> Layer<F> {
             self.forces_of_rates(values).map(T::from_base)
         };
         let [fx, fy, mz, stick] = sums;
-        // (the quadrature may give a little more than the bound)
+        // The quadrature may give a little more than the bound.
         let kept = (fx.squared() + fy.squared()).max(T::one()).sqrt().inverse();
         let stick = T::from_base(stick.value());
         Totals { fx: fx * kept, fy: fy * kept, mz: mz * kept, stick }

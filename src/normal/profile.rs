@@ -25,7 +25,7 @@ pub(crate) trait Moves<F> {
     fn moves_of_point(&self, k: usize) -> [[F; TOGETHER]; 4];
 }
 
-// (derived, it would be part of every table of methods, with what can panic in it)
+// Derived, it would be part of every table of methods, with what can panic in it.
 impl<F> Debug for dyn Moves<F> + '_ {
     fn fmt(&self, to: &mut Formatter<'_>) -> fmt::Result {
         to.write_str("Moves")

@@ -91,7 +91,7 @@ macro_rules! with_avx {
             $(let $name: $type = $crate::number::avx::with_avx!(@ $name $($value)?);)*
             return $code;
         }
-        // (one call for both, which writes its result where the caller wants it)
+        // There is one call for both, which writes its result where the caller wants it.
         #[allow(unused_mut)]
         let mut code: unsafe fn($($type),*) -> $result = narrow;
         #[cfg(target_arch = "x86_64")]
@@ -253,7 +253,7 @@ mod x86 {
         fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
             match N {
                 2 => unsafe {
-                    // (twice in one register: nothing is divided by the zeros of an empty half)
+                    // The numbers stand twice in a register, so that nothing is divided by zeros of an empty half.
                     let x = cast(a);
                     let single = _mm_cvtpd_ps(x);
                     let y = _mm_cvtps_pd(started(_mm_movelh_ps(single, single)));

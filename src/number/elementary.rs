@@ -50,7 +50,7 @@ pub(super) fn inverse_root_f32(x: f32) -> f32 {
 /// `Σ cᵢ zⁱ` of four or seven terms, in a tree of products that do not wait for each other.
 #[inline(always)]
 fn even_polynomial<F: Real>(c: &[F::Stored], z: F) -> F {
-    // (no closure: the code of numbers side by side must stand inside that of their caller)
+    // No closure: the code of numbers side by side must stand inside that of their caller.
     #[inline]
     fn line<F: Real>(p: F::Stored, q: F::Stored, z: F) -> F {
         F::stored(p) + F::stored(q) * z

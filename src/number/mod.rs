@@ -197,8 +197,8 @@ pub(crate) fn choose_each<T: Number, const N: usize>(by: T, yes: [T; N], mut no:
 
 /// `branch_or_blend!(by, yes, no)`: as [`chosen`]; what no number needs is not computed.
 ///
-/// (No function of closures: the code of numbers side by side must stand inside that of their
-/// caller.)
+/// No function of closures: the code of numbers side by side must stand inside that of their
+/// caller.
 macro_rules! branch_or_blend {
     ($by:expr, $yes:block, $no:block) => {{
         use crate::number::{Real as _, choose_each};

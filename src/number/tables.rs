@@ -51,8 +51,8 @@ const CONTACTS_BLOCK: usize = 12;
 
 /// `start + Σ xᵢ rowᵢ`, columns side by side in `P`, then in fours, and the rest one by one.
 ///
-/// (Numbers of several contacts side by side fill whole registers: some of them, then the rows
-/// again.)
+/// Numbers of several contacts side by side fill whole registers: some of them, then the rows
+/// again.
 #[inline(always)]
 pub(crate) fn add_rows<F: Real, P: Strips<F>, const C: usize, const R: usize>(
     start: &[F; C], inputs: impl Iterator<Item = F> + Clone, rows: &[[F::Stored; C]; R],

@@ -95,7 +95,7 @@ pub fn root<F: Float>(mut bracket: Bracket<F>, mut of: impl FnMut(F) -> [F; 2]) 
         let next = bracket.guarded(x - value / slope);
         let moved = (next - x).abs();
         x = next;
-        // (at the other end the sign is known: steps of rounding would go to and fro)
+        // At the other end the sign is known: steps of rounding would go to and fro.
         let known = next == bracket.negative || next == bracket.positive;
         if known || moved <= small.max(bracket.width() * F::EPSILON.sqrt()) {
             break;

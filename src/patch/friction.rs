@@ -210,7 +210,7 @@ pub fn differentiate_patch<F: Float>(
         by_layer: under(&interface.by_layer),
         by_slide: under(&interface.by_slide),
     };
-    // (the forces are homogeneous: those of the creepages times k/λ)
+    // The forces are homogeneous: those of the creepages times k/λ.
     let own = own.each_ref().map(under);
     let (power, motion) = (solution.power, *creepage);
     let at_friction = AtFriction { slopes, power, motion, own, friction, load };

@@ -172,7 +172,7 @@ impl<F: Float, T: Number<Base = F>> ZoneSplit<T> {
         let (to_y, to_x) = ((strip.y - self.y) / self.a, (strip.centre_x - self.x) / self.a);
         let over_length = strip.half_length / self.a;
         let of_zone = [x - spin.scale(to_y), y + spin.scale(to_x), spin.scale(over_length)];
-        // (a strip that hardly carries may slide more than any number)
+        // A strip that hardly carries may slide more than any number.
         let unit = unit.min(F::HUGE);
         let [x, y, spin] = scaled_down(of_zone, F::HUGE / unit).map(|rate| rate.scale(unit));
         Rates { x, y, spin }

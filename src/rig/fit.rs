@@ -363,10 +363,10 @@ impl<'a, F: Float> Fit<'a, F> {
         let mut errors = Vector6::repeat(zero);
         let mut tells = false;
         if let Some(inverse) = sums.inverted(&free, zero) {
-            // (of shares of one, ratio and slide factor, the error is absolute)
+            // Ratio and slide factor are shares of one, whose error is absolute.
             let shares = Vector6::new(false, true, false, false, true, false);
             let sizes = shares.zip_map(at, |share, value| if share { F::one() } else { value });
-            // (the variances of parameters that are not free are zero)
+            // The variances of parameters that are not free are zero.
             let variances = inverse.diagonal();
             let least = variances.map(|variance| (variance * left.max(presumed)).max(zero).sqrt());
             tells = least

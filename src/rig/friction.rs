@@ -192,7 +192,7 @@ impl<'a, F: Float> Rig<'a, F> {
             let agrees = found * target > F::zero();
             return Error::Unexplained.unless(agrees).map(|()| self.at_least());
         }
-        // (in its place: a result would be moved)
+        // The result is written in its place, because it would be copied otherwise.
         let mut search = Search::new(self.options.model == Model::Strip1967);
         let (first, most) = self.search(&mut search)?;
         Error::Unexplained.unless(most + used / unit > F::zero())?;

@@ -90,7 +90,7 @@ impl<F: Float> Search<F> {
         }
         match self.kept.iter_mut().find(|kept| kept.is_done()) {
             Some(place) => *place = interval,
-            // (Without room it is not searched again.)
+            // Without room it is not searched again.
             None => drop(self.kept.push(interval)),
         }
     }

@@ -161,7 +161,7 @@ impl<F: Real> EllipseStrips<F> {
     fn one_by_one<P: Strips<F>, const ROWS: usize>(
         &self, strips: &CommonCreepage<P>,
     ) -> Rows<P, ROWS> {
-        // (The compiler would write zeros that it foresees by a call.)
+        // The compiler would write zeros that it foresees by a call.
         let [x, ..] = strips.law;
         #[allow(clippy::eq_op)]
         let nothing = [[x - x; 6]; ROWS];

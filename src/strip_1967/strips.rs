@@ -85,7 +85,7 @@ pub fn visit_strips<F: Float>(
         let load = width * (curved - y * y).times(0.75);
         let c = Edge::at(y).c;
         let found = adhesion_regime(c, xi - slope * y, eta, spin);
-        // (The same bits as from the separatrix, −C + 2κ.)
+        // This gives the same bits as the separatrix, −C + 2κ.
         let kappa = found.map(|[kappa, ..]| (kappa + kappa - c + c).times(0.5));
         visit(PlacedStrip {
             y,

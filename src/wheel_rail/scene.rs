@@ -200,7 +200,7 @@ impl<'a, F: Float> Scene<'a, F> {
         if is_straight && found.contacts > 0 {
             self.add_slopes_by_position(state, memory, &found, slopes)?;
             if memory.count as usize == KSTRIP_CONTACTS_CAPACITY {
-                // (the last contact's memory was needed)
+                // The last contact's memory was needed.
                 self.place(&state.position, memory)?;
             }
         }

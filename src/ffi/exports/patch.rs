@@ -49,7 +49,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
         let ProfileOptions { rolling_radius, shear_modulus, poisson_ratio, friction, .. } =
             *contact;
         let ProfileOptions { normal_force, approach, smoothing_length, strips, .. } = *contact;
-        // (the approach counts only where there is no load)
+        // The approach counts only where there is no load.
         let by_load = normal_force != 0.0 || approach == 0.0;
         let given = if by_load { Given::Load(normal_force) } else { Given::Approach(approach) };
         let contact = &ProfileContact {
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn kstrip_patch_from_profile(
             _ => 0.0,
         };
         let (built, found) = Patch::from_profile(&profile, contact, strip_count(strips)?)?;
-        // (an approach next to which the shape of the surfaces is lost)
+        // Next to such an approach the shape of the surfaces is lost.
         let is_lost = approach > width && found.normal_force <= 0.0;
         Error::Overflow.when(!by_load && is_lost)?;
         patch.write(built);

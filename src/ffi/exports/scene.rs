@@ -83,7 +83,7 @@ pub(super) fn law_of(model: i32, falling: Option<&SlipFriction<F>>) -> Result<La
     let model = for_strips(Some(&kstrip_options { model, strips: 0 }))?.model;
     Error::NotInModel.unless(model != Model::Linear)?;
     if let Some(law) = falling {
-        // (these two members are ignored)
+        // These two members are ignored.
         SlipFriction { friction: 1.0, rolling_speed: 0.0, ..*law }.check()?;
     }
     Ok(Law { model, falling })

@@ -146,7 +146,7 @@ impl<F: Float> Steps<'_, F> {
                     let share = (group.share + length * at(rates, number)).max(F::zero());
                     let moved =
                         self.wrench_after(&ContactStep { k, length, share }, pressed, room)?;
-                    // (by ± h/h' where its own step h' is shorter than h)
+                    // The weight is ± h/h', where the column's own step h' is shorter than h.
                     let weight = F::one() / (side * part);
                     add(&mut column[..], moved.map(|own| own * weight));
                 }

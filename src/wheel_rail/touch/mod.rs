@@ -240,7 +240,7 @@ impl<'a, F: Float> GapSearch<'a, F> {
                 before = *point;
             }
         }
-        // (points that were passed may face the rail)
+        // Points that were passed may face the rail.
         above.rail.looks_at_all = true;
         let mut groups = (0..points).step_by(FOUR);
         while !above.rail.faced {
