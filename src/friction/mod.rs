@@ -162,8 +162,8 @@ impl<'a, F: Float> InMotion<'a, F> {
         if self.options.model == Model::Linear || !law.falls() || nothing {
             return Ok((contact, Warning::None));
         }
-        // The closure takes a reference. Otherwise it takes the members of the structure one by one,
-        // and what is stored so is read slowly as pairs.
+        // The closure takes a reference. Otherwise it takes the members of the structure one by
+        // one, and what is stored so is read slowly as pairs.
         let of_largest = &contact;
         let next = |friction| {
             let contact = Contact { friction, ..*of_largest };

@@ -253,7 +253,7 @@ mod x86 {
         fn inverse_roots<const N: usize>(mut a: [Self; N]) -> [Self; N] {
             match N {
                 2 => unsafe {
-                    // The numbers stand twice in a register, so that nothing is divided by zeros of an empty half.
+                    // Numbers fill both halves: nothing is divided by zeros of an empty one.
                     let x = cast(a);
                     let single = _mm_cvtpd_ps(x);
                     let y = _mm_cvtps_pd(started(_mm_movelh_ps(single, single)));

@@ -63,11 +63,6 @@ impl<F: Float> Placed<F> {
         let zero = F::zero();
         Self { count: 0, factor: zero, support: zero, warning: Warning::None }
     }
-
-    /// Gives a contact the pressures that support what the heights tell.
-    fn scale(&self, contact: &mut WheelContact<F>) {
-        contact.scale_pressure(self.factor, self.support);
-    }
 }
 
 /// A finished table as the source of the contacts of a [`Scene`](crate::wheel_rail::scene::Scene).
@@ -138,7 +133,8 @@ impl<F: Float> TableScene<'_, F> {
         let Workspace { strips, contacts, count, .. } = memory;
         let placed = self.fill_contacts(position, is_beyond, (usize::MAX, strips), contacts)?;
         *count = placed.count as u32;
-        contacts.iter_mut().take(placed.count).for_each(|contact| placed.scale(contact));
+        let listed = contacts.iter_mut().take(placed.count);
+        listed.for_each(|contact| contact.scale_pressure(placed.factor, placed.support));
         Ok(placed.warning)
     }
 
@@ -215,7 +211,7 @@ impl<F: Float> TableScene<'_, F> {
             if placed.count > 1 {
                 fill(k, &mut strips, &mut contact)?;
             }
-            placed.scale(&mut contact);
+            contact.scale_pressure(placed.factor, placed.support);
             let alone = core::slice::from_ref(&contact);
             let mut own = by_velocity.is_some().then(WrenchDerivatives::default);
             let slopes = own.as_mut();
