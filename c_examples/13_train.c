@@ -2,12 +2,13 @@
  * The wheels of a train of fifty cars on an irregular track, from one contact table: four hundred wheels of a right and a left rail, each
  * at its own place of the track, a thousand times a second, with derivatives. A table is filled first, by all threads.
  *   cc -std=c99 -O2 -fopenmp -Iinclude c_examples/13_train.c target/lib/libkstrip.a -lm -o train && ./train tests/data/wheel_rail [milliseconds]
- * Without -fopenmp one thread does it all.
+ * Without -fopenmp one thread does it all. With a third word "wheels" it prints every wheel of the last step.
  */
 #include "kstrip.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #ifdef _OPENMP
 #include <omp.h>
 #endif
@@ -15,7 +16,13 @@
 enum { CARS = 50, AXLES = 4, WHEELS = 2 * AXLES * CARS, MOST_THREADS = 64, PIECE = 8 };
 static const double radius = 0.46, speed = 40, load = 60e3; /* [m], [m/s], [N] */
 
+/* A wheel: how far behind the first axle it is, its lateral position on the rail, the lateral force on it, the friction's power. */
+typedef struct moment {
+    double behind, lateral, force, power;
+} moment;
+
 static kstrip_surface rail, wheel;
+static moment now[WHEELS];
 static kstrip_wheel_workspace *memory; /* of each thread */
 static int threads = 1;
 
@@ -154,6 +161,7 @@ int main(int argc, char **argv)
                 continue;
             }
             check(status);
+            now[i] = (moment){5.0 * axle, sign * lateral, wrench.force[1], wrench.dissipation};
             sum += wrench.dissipation;
             most = fmax(most, fabs(wrench.force[1]));
         }
@@ -163,6 +171,10 @@ int main(int argc, char **argv)
     printf("friction takes %.1f kW, largest lateral force %.1f kN\n", 1e-3 * power, 1e-3 * largest);
     if (seconds() > 0)
         printf("%.2f times as fast as the train, by %d threads\n", 1e-3 * steps / (seconds() - start), threads);
+    if (argc > 3 && strcmp(argv[3], "wheels") == 0)
+        for (int i = 0; i < WHEELS; i++)
+            printf("wheel %d: %.1f m behind, at %.3f mm, %.3f kN, %.1f W\n", i, now[i].behind, 1e3 * now[i].lateral,
+                   1e-3 * now[i].force, now[i].power);
     free(block), free(memory);
     return EXIT_SUCCESS;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes the pictures of docs/reference/python.md and docs/guide/7-adhesion.md, the kinds of kstrip.plot; and the runs of c_examples/12_bogie.c.
+"""Writes the pictures of docs/reference/python.md and docs/guide/7-adhesion.md, the kinds of kstrip.plot; and the runs of two examples in C.
 
     make && python bindings/python/pictures.py [FOLDER]            (needs matplotlib; FOLDER is docs/figures/python otherwise)
 """
@@ -102,13 +102,35 @@ def worn_profile():
     return of_page("wear.md")
 
 
-def bogie():
-    """What the bogie in C prints, compiled here with cc."""
+def printed_by(example, *words):
+    """The lines of an example in C, compiled here with cc."""
     with tempfile.TemporaryDirectory() as scratch:
-        program = f"{scratch}/bogie"
-        subprocess.run([os.environ.get("CC", "cc"), "-std=c99", "-O2", "-I", ROOT / "include", ROOT / "c_examples" / "12_bogie.c",
+        program = f"{scratch}/program"
+        subprocess.run([os.environ.get("CC", "cc"), "-std=c99", "-O2", "-fopenmp", "-I", ROOT / "include", ROOT / "c_examples" / example,
                         ROOT / "target" / "lib" / "libkstrip.a", "-lm", "-o", program], check=True)
-        lines = subprocess.run([program, DATA / "wheel_rail"], check=True, capture_output=True, text=True).stdout.splitlines()
+        return subprocess.run([program, DATA / "wheel_rail", *words], check=True, capture_output=True, text=True).stdout.splitlines()
+
+
+def train():
+    """The wheels of 13_train.c after a tenth of a second."""
+    lines = printed_by("13_train.c", "100", "wheels")
+    rows = np.array([[float(word) for word in re.findall(r"-?[0-9.]+", line.split(":")[1])] for line in lines if line.startswith("wheel ")])
+    drawn, axes = plt.subplots(2, 1, figsize=(8.0, 4.5), sharex=True, layout="constrained")
+    for side, name in enumerate(("right wheels", "left wheels")):
+        behind, lateral, force, _ = rows[side::2].T
+        for axis, values in zip(axes, (lateral, force)):
+            axis.plot(behind, values, ".", markersize=3, color=plot.COLOURS[side], label=name)
+    axes[0].set(ylabel="lateral position [mm]", title="fifty cars on an irregular track")
+    axes[1].set(xlabel="distance behind the first axle [m]", ylabel="lateral force [kN]")
+    axes[0].legend(loc="center right")
+    for axis in axes:
+        axis.grid(True, alpha=0.3)
+    return drawn
+
+
+def bogie():
+    """What 12_bogie.c prints."""
+    lines = printed_by("12_bogie.c")
     # y of both wheelsets [mm], speed [m/s], Y and Q of the front wheels [N]
     columns = {"y": 1, "speed": 3, "Y": 5, "Q": 6}
     panels = (("hunt", "y", "y, front wheelset [mm]", 1.0, "hunting at 80 m/s"),
@@ -128,7 +150,7 @@ def bogie():
 def main():
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "docs" / "figures" / "python"
     folder.mkdir(parents=True, exist_ok=True)
-    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, wheelset, wear, worn_profile, conicity, measured_curve, crossing, bogie):
+    for draw in (creep_curve, traction_map, patch_on_profiles, lateral_shift, wheelset, wear, worn_profile, conicity, measured_curve, crossing, bogie, train):
         with warnings.catch_warnings():
             # STRIP_1967 is shown beyond the range that its theory is for.
             warnings.simplefilter("ignore", kstrip.KstripWarning)
