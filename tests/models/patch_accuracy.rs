@@ -154,3 +154,23 @@ fn dumbbells_near_full_sliding() {
     assert!(errors.len() > 5, "{}", errors.len());
     assert_below("dumbbells near full sliding", &errors, [0.01, 0.012, 0.012]);
 }
+
+/// Needles, which are at least six times as long along the rolling direction as they are wide, with
+/// spin.
+#[test]
+fn needles_with_spin() {
+    let mut errors = vec![];
+    for case in real() {
+        let (patch, _) = case.patch(StripCount::Sixteen);
+        let [motion] = case.motions[..] else { panic!("one motion") };
+        let strips = patch.used();
+        let longest = strips.iter().map(|strip| strip.half_length).fold(0.0, f64::max);
+        let half_width = strips.iter().map(|strip| strip.width).sum::<f64>() * 0.5;
+        let spin = case.creepage(&motion).spin.abs();
+        if longest > 6.0 * half_width && spin > 0.3 {
+            errors.push(case.errors(&patch, Model::Strip).force[0]);
+        }
+    }
+    assert!(errors.len() > 1, "{}", errors.len());
+    assert_below("needles with spin", &errors, [0.011, 0.021, 0.021]);
+}

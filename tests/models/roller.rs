@@ -172,6 +172,35 @@ fn a_moving_rail_is_a_moving_wheel() {
     assert_relative_eq!(moved.dissipation, expected.dissipation, max_relative = 1e-9);
 }
 
+/// A left wheel on a roller, moved and turned to the other side, has the mirror image of the forces
+/// on a right one, to the bit.
+#[test]
+fn a_left_wheel_on_a_roller_is_a_mirror_image() {
+    for (radius, ahead) in [(0.5, 0.0), (0.5, 4e-3), (3.0, -8e-3)] {
+        let mut stand = on_roller(radius, cone);
+        (stand.pair.rail_speed, stand.pair.rail_ahead) = (10.0, ahead);
+        let Position { lateral, vertical, yaw, roll } = under_load(
+            &mut stand,
+            Position { lateral: 1e-3, yaw: 3e-3, roll: 2e-3, ..Position::default() },
+        );
+        let right = Position { lateral, vertical, yaw, roll };
+        let left = Position { lateral: -lateral, vertical, yaw: -yaw, roll: -roll };
+        let moves = Velocity { lateral: 0.01, yaw: 0.02, roll: 1e-3, ..Velocity::default() };
+        let moves = Velocity { pitch: -21.7, vertical: 1e-3, ..moves };
+        let Velocity { lateral, yaw, roll, .. } = moves;
+        let mirrored = Velocity { lateral: -lateral, yaw: -yaw, roll: -roll, ..moves };
+        let own = stand.solve(&right, &moves);
+        stand.pair.left = 1;
+        let other = stand.solve(&left, &mirrored);
+        let signs = [1.0, -1.0, 1.0, -1.0, 1.0, -1.0];
+        for ((own, other), sign) in own.members().iter().zip(other.members()).zip(signs) {
+            assert_eq!(*own, sign * other, "{radius} {ahead}");
+        }
+        assert!(own.force[1].abs() > 100.0, "{own:?}");
+        assert_eq!(own.dissipation, other.dissipation);
+    }
+}
+
 /// Two discs turn with one speed of their surfaces: no creepage but the spin of the cone, which is
 /// the sum of both curvatures; and the rig's power is dissipated.
 #[test]
