@@ -2533,7 +2533,7 @@ typedef struct kstrip_table_spec {
     /** Nodes of roll, an odd number; 0: one every 2.5 mrad or less, without roll 1. */
     uint32_t roll_nodes;
     /**
-     * Quantity of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
+     * Number of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
      * wheel at which the table has numbers.
      */
     uint32_t strips;
@@ -2621,11 +2621,11 @@ typedef struct kstrip_table_report {
     double load_largest;
     /** Length of the table [bytes]. */
     uint32_t bytes;
-    /** Quantity of poses that were compared. */
+    /** Number of poses that were compared. */
     uint32_t poses;
-    /** Quantity of poses that the direct computation has, and the table has not. */
+    /** Number of poses that the direct computation has, and the table has not. */
     uint32_t missing;
-    /** Quantity of nodes without a contact. */
+    /** Number of nodes without a contact. */
     uint32_t empty;
 } kstrip_table_report;
 

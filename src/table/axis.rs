@@ -14,7 +14,7 @@ use crate::number::{Float, add_at};
 /// Nodes around a place with their weights: as many as are not zero.
 #[derive(Clone, Copy)]
 pub(super) struct Around<F> {
-    /// Quantity of the first.
+    /// Number of the first.
     pub first: usize,
     pub weights: [F; 4],
     /// How many there are.

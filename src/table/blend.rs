@@ -27,7 +27,7 @@ pub(super) struct Blend<'a, F> {
     pub pressure: &'a mut AtPlaces<F>,
     /// Half the angle between the surfaces \[rad\].
     pub half_angle: &'a mut AtPlaces<F>,
-    /// Quantity of the first place.
+    /// Number of the first place.
     pub first: usize,
     /// Vertical support \[N\], and its derivative with respect to the vertical position.
     pub support: F,

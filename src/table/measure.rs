@@ -38,11 +38,11 @@ pub struct TableReport<F> {
     pub load_largest: F,
     /// Length of the table \[bytes\].
     pub bytes: u32,
-    /// Quantity of poses that were compared.
+    /// Number of poses that were compared.
     pub poses: u32,
-    /// Quantity of poses that the direct computation has, and the table has not.
+    /// Number of poses that the direct computation has, and the table has not.
     pub missing: u32,
-    /// Quantity of nodes without a contact.
+    /// Number of nodes without a contact.
     pub empty: u32,
 }
 

@@ -34,7 +34,7 @@ pub struct TableSpec<F> {
     pub yaw_nodes: u32,
     /// Nodes of roll, an odd number; 0: one every 2.5 mrad or less, without roll 1.
     pub roll_nodes: u32,
-    /// Quantity of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
+    /// Number of strips in 8 mm of a contact, 12 to 32; 0: 16. It is that of the places on the
     /// wheel at which the table has numbers.
     pub strips: u32,
     /// Reserved: zero.
