@@ -257,13 +257,8 @@ pub(crate) fn with_slopes<F: Real, M: Theory<F>>(
 /// Exponents of `N` with which forces and moment grow where the slip does not change.
 pub(crate) const POWERS: [f64; 3] = [1.0, 1.0, 4.0 / 3.0];
 
-/// `∂F/∂M`, and `dF/dN` through Hertz over `μ`, of a force `F = M f` with an exponent `p`:
-///
-/// ```text
-/// f − (∂f/∂c) c,   p f − ⅓ (∂f/∂v) v
-/// ```
-///
-/// The last two arguments are `(∂f/∂c) c` and `(∂f/∂v) v`.
+/// `∂F/∂M = f − (∂f/∂c) c`, and `dF/dN/μ = p f − ⅓ (∂f/∂v) v` through Hertz, of a force `F = M f`
+/// with an exponent `p`. The last two arguments are `(∂f/∂c) c` and `(∂f/∂v) v`.
 #[inline(always)]
 pub(crate) fn by_size<F: Real>(f: F, power: f64, along: F, translation: F) -> [F; 2] {
     [f - along, f.times(power) - translation.times(1.0 / 3.0)]

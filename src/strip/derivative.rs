@@ -317,11 +317,10 @@ impl<P: Arithmetic<Value = P>> Adjoint<P> {
             }
         }
         self.by_s += (self.by_u - by_ahead).times(0.5);
-        let [separatrix_x, separatrix_y, separatrix_r, by_blend] =
-            separatrix(seen, spin, &start.separatrix, self.by_s);
-        self.by_x += separatrix_x;
-        by_prime += separatrix_y;
-        self.by_r += separatrix_r;
+        let [by_x, by_y, by_r, by_blend] = separatrix(seen, spin, &start.separatrix, self.by_s);
+        self.by_x += by_x;
+        by_prime += by_y;
+        self.by_r += by_r;
         // A_y' = A_y + σ − r
         by_sigma += by_prime + (self.by_r - by_prime) * by_spin.r;
         by_sigma += by_blend * by_spin.blend + self.by_round * by_spin.round;

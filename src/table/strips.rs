@@ -55,57 +55,29 @@ impl<F: Float> Blend<'_, F> {
     pub(super) fn strips_on_wheel(
         &self, table: &ContactTable, (stride, radius): (usize, F), strips: &mut OnWheel<F>,
     ) -> Overlaps<F> {
-        let Self { square, pressure, half_angle, first, .. } = self;
+        let Self { square, first, .. } = self;
         let mut zones = Overlaps::new();
         strips.clear();
         let mut open: Option<Overlap<F>> = None;
         let mut zone = 0;
         let per_depth = F::one() / radius.times(ROUNDNESS);
-        let here = |k: usize| table.along::<F>(first + k);
-        let step = here(stride) - here(0);
         // the intervals of a table lie where they lie, whatever the first blended place
         let mut next = first.wrapping_neg() & (stride - 1);
         while next + stride < square.len() {
             let k = next;
             next += stride;
-            let ends_of = |list: &[F]| [at(list, k), at(list, k + stride)];
-            let [from, to] = ends_of(square);
-            let (begins, ends) = (from > F::zero(), to > F::zero());
-            if !(begins || ends) {
-                continue;
-            }
-            let (zero, one) = (F::zero(), F::one());
-            let crossing = from / (from - to);
-            let shares = [if begins { zero } else { crossing }, if ends { one } else { crossing }];
-            let [share, width] =
-                [(shares[0] + shares[1]).times(0.5), (shares[1] - shares[0]).squared()];
-            let middle = |list| {
-                let [from, to] = ends_of(list);
-                from + (to - from) * share
-            };
-            // of a parabola the mean is beside the middle of the chord
-            let mean = |list| {
-                let bends = bend(list, k, stride) + bend(list, k + stride, stride);
-                (middle(list) - bends * width.times(1.0 / 24.0)).max(zero)
-            };
-            let lengths = shares.map(|share| here(k) + step * share);
-            let [begin, end] = lengths;
-            let strip = Covered {
-                before: first + k,
-                share,
-                ends: lengths,
-                half_angle: middle(half_angle),
-                square: mean(square),
-                pressure: mean(pressure),
-                zone,
-            };
+            let [from, to] = [at(square, k), at(square, k + stride)];
+            let Some(strip) = self.covered(table, [k, stride], zone) else { continue };
+            let [begin, end] = strip.ends;
             if strip.square.sqrt() > F::TINY && end - begin > F::TINY {
                 let _ = strips.push(strip);
             }
-            let own = open.get_or_insert(Overlap { ends: [begin, end], depth: zero });
+            let own = open.get_or_insert(Overlap { ends: [begin, end], depth: F::zero() });
             own.ends[1] = end;
             own.depth = own.depth.max(from.max(to) * per_depth);
-            if !ends && let Some(done) = open.take() {
+            if to <= F::zero()
+                && let Some(done) = open.take()
+            {
                 zones.push(done);
                 zone += 1;
             }
@@ -114,6 +86,46 @@ impl<F: Float> Blend<'_, F> {
             zones.push(last);
         }
         zones
+    }
+
+    /// The part of the interval from a place to the one a stride further in which the bodies touch,
+    /// if they do.
+    #[inline(always)]
+    fn covered(
+        &self, table: &ContactTable, [k, stride]: [usize; 2], zone: usize,
+    ) -> Option<Covered<F>> {
+        let Self { square, pressure, half_angle, first, .. } = self;
+        let ends_of = |list: &[F]| [at(list, k), at(list, k + stride)];
+        let [from, to] = ends_of(square);
+        let (zero, one) = (F::zero(), F::one());
+        let (begins, ends) = (from > zero, to > zero);
+        if !(begins || ends) {
+            return None;
+        }
+        let crossing = from / (from - to);
+        let shares = [if begins { zero } else { crossing }, if ends { one } else { crossing }];
+        let [share, width] =
+            [(shares[0] + shares[1]).times(0.5), (shares[1] - shares[0]).squared()];
+        let middle = |list| {
+            let [from, to] = ends_of(list);
+            from + (to - from) * share
+        };
+        // of a parabola the mean is beside the middle of the chord
+        let mean = |list| {
+            let bends = bend(list, k, stride) + bend(list, k + stride, stride);
+            (middle(list) - bends * width.times(1.0 / 24.0)).max(zero)
+        };
+        let here = |k: usize| table.along::<F>(first + k);
+        let step = here(stride) - here(0);
+        Some(Covered {
+            before: first + k,
+            share,
+            ends: shares.map(|share| here(k) + step * share),
+            half_angle: middle(half_angle),
+            square: mean(square),
+            pressure: mean(pressure),
+            zone,
+        })
     }
 }
 
