@@ -2,6 +2,9 @@
 //! the smallest loads on, in both precisions.
 
 use crate::prelude::*;
+use kstrip::wheel_rail::scene::TableSource;
+use std::cell::Cell;
+use std::sync::OnceLock;
 
 /// A surface with given points.
 fn surface<F: Float>(points: impl Iterator<Item = [f64; 2]>) -> Box<PreparedProfile<F>> {
@@ -89,4 +92,58 @@ fn loads_are_carried<F: Float>(rounding: f64) {
 fn loads_from_one_newton_on_have_heights() {
     loads_are_carried::<f64>(1e-15);
     loads_are_carried::<f32>(20e-9);
+}
+
+thread_local! {
+    static EVALUATIONS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// A wheel S1002 over a rail UIC60.
+fn counted_scene(pair: &WheelPair<f64>) -> Scene<'_, f64> {
+    static PROFILES: OnceLock<[Box<PreparedProfile<f64>>; 2]> = OnceLock::new();
+    let [rail, wheel] = PROFILES.get_or_init(|| {
+        ["uic60", "s1002"].map(|name| {
+            let [y, z] = points(name);
+            surface(y.into_iter().zip(z).map(|(y, z)| [y, z]))
+        })
+    });
+    let law = Law { model: Model::Strip, falling: None };
+    Scene { rail, wheel, pair, strips: StripCount::Sixteen, law, table: None }
+}
+
+/// The contacts of a position, as a table would give them, and a count of these calls.
+fn counted_contacts(
+    _: &[u8], pair: &WheelPair<f64>, position: &Position<f64>, memory: &mut Workspace<f64>,
+) -> Result<Warning, Error> {
+    EVALUATIONS.with(|count| count.set(count.get() + 1));
+    counted_scene(pair).place(position, memory)
+}
+
+/// From the tread to the flange, with yaw and without, from 1 to 100 kN: evaluations of contacts
+/// for a height.
+#[test]
+fn a_height_takes_few_evaluations() {
+    let pair = steel(0.46);
+    let table = TableSource {
+        bytes: &[],
+        only: true,
+        find: counted_contacts,
+        solve: |_, _, _, _, _| Err(Error::Table),
+    };
+    let scene = Scene { table: Some(table), ..counted_scene(&pair) };
+    let (mut memory, mut counts) = (zeroed(), vec![]);
+    for k in 0..150 {
+        for load in [1e3, 1e4, 1e5] {
+            let lateral = -18e-3 + 1e-4 * f64::from(k);
+            let yaw = 4e-3 * f64::from(k % 3);
+            let position = Position { lateral, yaw, ..Position::default() };
+            EVALUATIONS.with(|count| count.set(0));
+            scene.height_for_load(&position, load, None, &mut memory).unwrap();
+            counts.push(EVALUATIONS.with(Cell::get));
+        }
+    }
+    counts.sort_unstable();
+    let [median, most] = [counts[counts.len() / 2], counts[counts.len() - 1]];
+    println!("evaluations: {median} in the median, {most} at most");
+    assert!(counts[0] > 0 && median <= 4 && most <= 6, "{counts:?}");
 }
