@@ -407,7 +407,7 @@ impl Report {
             "`open_slender.csv` has 140 cases beyond the axis ratios of `open.csv`. No fit uses \
              them. ν is 0 to 0.5. The table has mean / 95th percentile / max of the force, and \
              mean / max of the moment in μ N √(ab). FASTSIM and FaStrip use the linear \
-             coefficients of the library. STRIP and TOTAL return a warning below 0.015 and above \
+             coefficients of the library. STRIP and TOTAL warn for `a/b` below 0.015 and above \
              60.\n",
         );
         self.by_axis_ratio(&slender(), &[0.015, 0.03, 0.06, 0.12, 8.0, 12.0, 20.0, 40.0, 60.1]);
@@ -417,8 +417,8 @@ impl Report {
         self.line("\n## Large creepage balanced by spin\n");
         self.line(
             "`boundary_elements.csv` has 576 cases of 24 contacts, with linear forces ≤ 100 and ψ \
-             ≤ 5. In half of them the creepage balances the spin somewhere in the contact. They \
-             were computed by boundary elements of this project (`fit/boundary_elements.py`). No \
+             ≤ 5. In half of them the creepage balances the spin somewhere in the contact. All \
+             were computed with this project's boundary elements (`fit/boundary_elements.py`). No \
              fit uses them.\n",
         );
         self.by_axis_ratio(&turning(), &[0.015, 0.12, 7.0, 20.0, 60.1]);

@@ -205,7 +205,7 @@ impl Report {
              given their coefficients and grids."
         ));
         self.line(format!(
-            "* Inputs are {CALLS} of each kind. *One contact* has a = 6 mm, b = 4 mm, 80 kN, \
+            "* Each kind has {CALLS} inputs. *One contact* has a = 6 mm, b = 4 mm, 80 kN, \
              steel, μ = 0.3, and creepages from partial slip to sliding. *Random* contacts have \
              a/b 0.1 to 10 and ν 0 to 0.5. Linear forces are 0 to 3 μ N in any direction, |ψ| up \
              to 0.95 or none. *Mixed* contacts alternate: with spin, without spin, longitudinal, \
@@ -284,9 +284,8 @@ impl Report {
         let batch = of_lanes("TOTAL", How::Batch(100));
         self.line(format!(
             "The scalar FASTSIM, which most programs have, is slower than every model of this \
-             table. The next ratios are to the time of FASTSIM in ten lanes. One call of TOTAL \
-             takes {single}, a contact of TOTAL in a batch of 100 takes {batch}, and one call of \
-             STRIP takes {strip}."
+             table. Relative to FASTSIM in ten SIMD lanes, one call of TOTAL takes {single}, and \
+             one call of STRIP takes {strip}. A contact of TOTAL in a batch of 100 takes {batch}."
         ));
     }
 
@@ -307,8 +306,8 @@ impl Report {
     fn everything(&mut self) {
         self.line(format!("\n{EVERY}\n"));
         self.line(
-            "Times are nanoseconds. Ratios are to FASTSIM 10x10 for random contacts with \
-             spin. Errors are mean / 95th percentile / max, as described above.\n",
+            "Times are nanoseconds. Ratios refer to FASTSIM 10x10 for random contacts with spin. \
+             Errors are mean / 95th percentile / max, as described above.\n",
         );
         let mut header = vec!["method", "how", "precision"];
         header.extend(SETS.map(title));
@@ -347,7 +346,7 @@ impl Report {
         self.line(format!("\n{BATCHED}\n"));
         self.line(
             "The second table compares a loop over `kstrip_solve` with `kstrip_evaluate_batch` on \
-             one array for each quantity. Times are nanoseconds of a contact, and the results have \
+             one array for each quantity. Times are nanoseconds per contact, and the results have \
              the same bits. On x86-64 processors with AVX, four contacts in double precision or \
              eight in single precision share one register. With AVX-512, one register has twice as \
              many. The library checks once whether the processor has AVX and AVX-512. The first \

@@ -42,7 +42,7 @@ awk '{ f = $1; name = f == last ? "" : "`" f "`"; last = f
     printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |\n", name, $2 == "-" ? "" : $2, $3, $4 == "-" ? "" : $4, $5, $6, $7, $8, $9, $10 }' "$out/functions.txt" | sed 's/| - /| /g'
 say "| everything f32 | | $(size all 2) | $(size total_all 2) | | | | | | |"
 say
-say "The table has the flash in bytes of everything f32, and of three functions alone, with some features only:"
+say "With some features only, everything f32, or one of three functions, takes these bytes of flash:"
 say
 say "| features | functions | everything | \`kstrip_evaluate_f32\` | \`kstrip_solve_motion_f32\` | \`kstrip_estimate_friction_f32\` |"
 say "|---|---:|---:|---:|---:|---:|"
@@ -52,7 +52,7 @@ say "*Flash* is the size of a program that calls only this function, with all mo
 say
 say "No figure of flash, stack or median may grow by more than 3 %: \`scripts/firmware.sh\` compares them with \`benches/firmware.txt\`."
 say
-say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, an estimate of friction, and creepage at the limit from eight solutions. A fit of 50 points with TOTAL starts every second of simulated time; the processor needs longer."
+say "The next table has the loop of \`twin_disc.c\`, with 8 strips of STRIP. A period computes load, creepage, forces with derivatives, estimated friction, and creepage at the traction limit from eight solutions. A fit of 50 points with TOTAL starts every second of simulated time; the processor needs longer."
 say
 say "| | most instructions | cycles | µs at 168 MHz |"
 say "|---|---:|---:|---:|"
@@ -69,7 +69,7 @@ say "| a lookup | fewest | median | most | painted stack [bytes] |"
 say "|---|---:|---:|---:|---:|"
 sed -n 's/^# \(.*\): \([0-9]*\) \([0-9]*\) \([0-9]*\) instructions, \([0-9]*\) bytes of stack$/| \1 | \2 | \3 | \4 | \5 |/p' "$out/table_lookup.txt"
 say
-say "For riscv32imac, with floating point by software, medians are of 100 inputs. Sizes: ${riscv_sizes:-$riscv_says}."
+say "For riscv32imac, with software floating point, medians are for 100 inputs. Sizes: ${riscv_sizes:-$riscv_says}."
 if [ -n "${riscv_sizes:-}" ]; then
     say
     say "| call on riscv32imac | fewest | median | most | painted stack [bytes] |"
@@ -84,7 +84,7 @@ cross=arm-none-eabi-gcc
 link_core=$m4
 for set in total; do
     link $set "$out/m4f.a" kstrip_solve_${set}_f32 || fail "link of $set"
-    say "The link map has these functions of 900 bytes and more for \`kstrip_solve_${set}_f32\`, $(size kstrip_solve_${set}_f32 2) bytes:"
+    say "The link map of \`kstrip_solve_${set}_f32\` ($(size kstrip_solve_${set}_f32 2) bytes) lists these functions of 900 bytes or more:"
     say
     say '```text'
     arm-none-eabi-nm -C -S --size-sort -r "$out/$set.elf" | awk '
