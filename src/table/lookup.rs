@@ -9,7 +9,7 @@ use super::blend::{AtPlaces, Blend};
 use super::block::ContactTable;
 use super::strips::{OnWheel, add_places};
 use crate::forces::Model;
-use crate::number::{Float, are_finite};
+use crate::number::Float;
 use crate::patch::{KSTRIP_PATCH_CAPACITY, Patch};
 use crate::status::{Error, Warning};
 use crate::wheel_rail::contacts::WheelContact;
@@ -221,7 +221,7 @@ impl<F: Float> TableScene<'_, F> {
                 sums.add_other(own);
             }
         }
-        Error::Overflow.unless(are_finite(&sum.members()))?;
+        sum.check(by_velocity.as_deref())?;
         sum.warning = sum.warning.worse(placed.warning);
         Ok(sum)
     }

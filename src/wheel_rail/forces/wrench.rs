@@ -86,6 +86,18 @@ impl<F> WrenchByPosition<F> {
 }
 
 impl<F: Float> Wrench<F> {
+    /// Whether all numbers fit the floating-point type, those of the derivatives as well.
+    ///
+    /// # Errors
+    /// [`Error::Overflow`]
+    pub(crate) fn check(&self, derivatives: Option<&WrenchDerivatives<F>>) -> Result<(), Error> {
+        let sums = [self.normal_force, self.dissipation];
+        Error::Overflow.unless(are_finite(&self.members()) && are_finite(&sums))?;
+        let Some(slopes) = derivatives else { return Ok(()) };
+        let mut rows = slopes.velocity.iter().flatten().chain(&slopes.friction);
+        Error::Overflow.unless(rows.all(|entry| entry.is_finite_number()))
+    }
+
     /// Adds the wrench of other contacts.
     pub(crate) fn add(&mut self, other: &Self) {
         add(&mut self.force, other.force);
@@ -193,14 +205,10 @@ pub(crate) fn sum_of_contacts<F: Float, const SLOPES: bool>(
         dissipation += power;
         warning = warning.worse(told);
     }
-    Error::Overflow.unless(are_finite(&sums) && are_finite(&[normal_force, dissipation]))?;
-    if let Some(sums) = derivatives {
-        let rows = sums.velocity.iter().flatten().chain(&sums.friction);
-        Error::Overflow.unless(rows.into_iter().all(|entry| entry.is_finite_number()))?;
-    }
     let ([a, b, c, d, e, f], contacts) = (sums, contacts.len() as u32);
     let (force, moment) = ([a, b, c], [d, e, f]);
-    Ok(Wrench { force, moment, dissipation, normal_force, contacts, warning })
+    let wrench = Wrench { force, moment, dissipation, normal_force, contacts, warning };
+    wrench.check(derivatives.as_deref()).map(|()| wrench)
 }
 
 impl<F: Float> WrenchDerivatives<F> {
